@@ -1,0 +1,1 @@
+"""Exact mathematics: symbols, rationals and balls."""

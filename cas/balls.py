@@ -1,0 +1,129 @@
+"""A plane curve in ball arithmetic: enclosures of its Taylor series over points and intervals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import cache
+from typing import Any
+
+from flint import arb, arb_series, ctx
+
+from osculant.cas.errors import DomainError
+from osculant.cas.expression import Node
+from osculant.cas.fields import Balls
+from osculant.cas.invariants import PlaneJet
+from osculant.cas.taylor import Program, program
+
+#: bits of all decisions; the roots of simple zeros are located to about this accuracy
+PRECISION = 320
+
+#: a form over jets, such as the one that vanishes where the curvature does
+Form = Callable[[PlaneJet], Any]
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """flint's working precision for a while (series length is the caller's affair)."""
+    before = ctx.prec
+    ctx.prec = bits
+    try:
+        yield
+    finally:
+        ctx.prec = before
+
+
+def ball(low: Any, high: Any) -> Any:
+    """The smallest ball around two others."""
+    return arb(low).union(arb(high))
+
+
+def constant(node: Node) -> Any:
+    """The ball of a constant formula at the current precision.
+
+    >>> from osculant.cas.formula import parse_constant
+    >>> constant(parse_constant("1/4"))
+    0.250000000000000
+    """
+    return program([node], 0).run(arb(0), Balls())[0][0]
+
+
+class CurveBalls:
+    """Taylor series of the coordinates of a plane curve as enclosures."""
+
+    def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
+        self.coordinates = tuple(coordinates)
+        self.variable = variable
+        self._program = cache(self._make_program)
+
+    def _make_program(self, order: int) -> Program:
+        return program(self.coordinates, order, self.variable, normalised=True)
+
+    def coefficients(self, t: Any, order: int) -> list[list[Any]]:
+        """Normalised Taylor coefficients 0…order of each coordinate at all points of the ball t."""
+        return self._program(order).run(t, Balls())
+
+    def jet(self, t: Any, order: int) -> PlaneJet:
+        """The jet of that order at a ball, derivatives as balls."""
+        x, y = self.coefficients(t, order)
+        factorials = [arb(1)]
+        for k in range(1, order + 1):
+            factorials.append(factorials[-1] * k)
+        return PlaneJet([c * f for c, f in zip(x, factorials, strict=True)],
+                        [c * f for c, f in zip(y, factorials, strict=True)])  # fmt: skip
+
+    def series_jet(self, t: Any, order: int, length: int) -> PlaneJet | None:
+        """The jet of that order as power series of ``length`` terms about t; None where not finite."""
+        rows = self.coefficients(t, order + length - 1)
+        if not all(c.is_finite() for row in rows for c in row):
+            return None
+        derivatives: list[list[Any]] = []
+        for row in rows:
+            entry, chain = arb_series(row, length + order), []
+            for _ in range(order + 1):
+                chain.append(arb_series(entry.coeffs()[:length], length))
+                entry = entry.derivative()
+            derivatives.append(chain)
+        return PlaneJet(*derivatives)
+
+    def form_series(self, form: Form, t: Any, order: int, length: int) -> list[Any] | None:
+        """Taylor coefficients of a form over jets of that order, at all points of the ball t."""
+        jet = self.series_jet(t, order, length)
+        return None if jet is None else padded(form(jet), length)
+
+    def explain(self, t: Any) -> str:
+        """Why the curve has no finite series at t: the first operation that fails, in words."""
+        compiled = self._program(1)
+        values = compiled.trace(t, Balls())
+        for step, value in zip(compiled.instructions, values, strict=True):
+            if not value.is_finite():
+                return REASONS.get(step.op) or REASONS.get(str(step.value)) or f"{step.value} is undefined"
+        return "it is undefined"
+
+
+#: what it means that an operation has no finite value
+REASONS = {
+    "div": "a division by zero",
+    "power": "a root of a number that is not positive",
+    "sqrt": "a root of a number that is not positive",
+    "log": "a logarithm of a number that is not positive",
+    "tan": "a pole of tan",
+    "sign": "abs has no derivative at 0",
+    "mul": "a pole",
+    "add": "a pole",
+    "sub": "a pole",
+}
+
+
+def padded(series: Any, length: int) -> list[Any]:
+    """The coefficients of a power series, filled up with zeros."""
+    found = list(series.coeffs())[:length]
+    return found + [arb(0)] * (length - len(found))
+
+
+def require_order(low: Any, high: Any, names: tuple[str, str]) -> None:
+    """Raises DomainError unless low < high for certain."""
+    if not low < high:
+        raise DomainError(
+            f"The interval from {names[0]} to {names[1]} is empty or reversed: give two finite ends, the smaller first."
+        )

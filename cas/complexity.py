@@ -1,0 +1,111 @@
+"""The number of pieces that theory predicts: N(ε) = C ε^{−1/p}, C = ∫ (c·J)^{1/p} ds.
+
+c·J·σᵖ is the error of one short arc of Euclidean length σ (Theorem 3.6.1): J = |k|κ^{5/3}, p = 4 for
+parabolas (3.17) and J = |dk/dr|κ², p = 5 for conics (3.18).  c comes from `leading`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from flint import arb
+
+from osculant.cas.balls import PRECISION, CurveBalls, precision
+from osculant.cas.errors import UndecidedError
+from osculant.cas.invariants import PlaneJet
+from osculant.cas.leading import error_constant
+
+#: the finest step of the quadrature is 2^−FINEST, the first one 2^−COARSEST
+COARSEST, FINEST = 2, 8
+#: two steps that agree to this end the quadrature; the error after the second is about its square
+AGREEMENT = 1e-10
+#: nodes nearer to an end than this part of the interval are left out: at the worst end singularity,
+#: t^(−2/5), they weigh less than 1e-18
+NEAREST = 1e-32
+
+
+@dataclass(frozen=True)
+class Law:
+    """How the error of one short arc depends on it: c·``invariant``·σ^``order``."""
+
+    order: int
+    invariant: Callable[[PlaneJet], Any]
+
+    def density(self, jet: PlaneJet, constant: Any) -> Any:
+        """(c·J)^{1/p} |α̇| at a jet of balls."""
+        value = constant * self.invariant(jet)
+        return value.root(self.order) * jet.speed if value > 0 else arb(0) * jet.speed
+
+
+#: (3.17) and (3.18)
+LAWS = {
+    "parabola": Law(4, lambda jet: abs(jet.affine_curvature) * _power_5_3(abs(jet.curvature))),
+    "conic": Law(5, lambda jet: abs(jet.affine_curvature_slope) * jet.curvature * jet.curvature),
+}
+
+
+def _power_5_3(kappa: Any) -> Any:
+    return kappa * (kappa * kappa).root(3)
+
+
+def complexity_constant(curve: CurveBalls, primitive: str, low: Any, high: Any) -> tuple[Any, float]:
+    """(C, estimated error) over one stretch [low, high] between special points.
+
+    Double exponential quadrature in 320-bit balls: algebraic singularities at the ends (inflections,
+    cusps, sextactic points) do no harm.  Raises UndecidedError if the finest step does not settle it.
+
+    >>> from osculant.cas.formula import parse_tuple
+    >>> spiral = CurveBalls(parse_tuple("t*cos(t), t*sin(t)"))
+    >>> with precision(PRECISION):
+    ...     low, high = arb.pi() / 6, 2 * arb.pi()
+    >>> round(float(complexity_constant(spiral, "conic", low, high)[0]), 12)
+    1.269590117037
+    """
+    law = LAWS[primitive]
+    with precision(PRECISION):
+        constant = error_constant(primitive)
+        size = high - low
+
+        def density(t: Any) -> Any:
+            return law.density(curve.jet(t, law.order), constant).mid()
+
+        total, previous = arb(0), None
+        for level in range(COARSEST, FINEST + 1):
+            for near, weight in nodes(level):
+                total += weight * density(low + size * near)
+                if near < 0.5:
+                    total += weight * density(high - size * near)
+            value = total * size * arb(2) ** -level
+            if previous is not None:
+                change = abs(float(value - previous))
+                if change <= AGREEMENT * abs(float(value)) or value == 0:
+                    return value, change * change / abs(float(value)) if value != 0 else 0.0
+            previous = value
+    raise UndecidedError(
+        f"The complexity integral did not settle at step 2^-{FINEST} between t = {float(low):.10g} "
+        f"and {float(high):.10g}: split the interval there."
+    )
+
+
+@cache
+def nodes(level: int) -> tuple[tuple[Any, Any], ...]:
+    """(distance from the nearer end of [0, 1], weight) of the nodes that are new at step 2^−level.
+
+    >>> len(nodes(2)) > 10
+    True
+    """
+    with precision(PRECISION):
+        step, pi = arb(2) ** -level, arb.pi()
+        found = []
+        index = 0
+        while True:
+            if level == COARSEST or index % 2:
+                u = step * index
+                near = 1 / (1 + (pi * u.sinh()).exp())
+                if near < NEAREST:
+                    return tuple(found)
+                found.append((near, pi * u.cosh() * near * (1 - near)))
+            index += 1

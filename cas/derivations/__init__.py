@@ -1,0 +1,1 @@
+"""The mathematics of the jets' forms, derived step by step with sympy."""

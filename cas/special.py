@@ -1,0 +1,215 @@
+"""Special points of a plane curve: where theory wants a spline to be split.
+
+* cusps and other singular points, α̇ = 0;
+* inflections, κ = 0;
+* for parabolas k = 0, for conics dk/dr = 0 (sextactic points).
+
+Simple zeros are isolated in ball arithmetic.  Multiple zeros (all cusps are) are decided exactly where they
+lie at a simple rational, at a simple multiple of pi, or at an end of the interval; the rest is called undecided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb
+
+from osculant.cas.balls import PRECISION, CurveBalls, Form, ball, constant, precision
+from osculant.cas.errors import DomainError
+from osculant.cas.exact import order_of_zero, simple_numbers
+from osculant.cas.expression import Node
+from osculant.cas.isolate import SMALLEST, Box, Isolation, differentiated, first_infinite, isolate, refine, taylor_form
+
+#: form over jets and the order of the jet it needs
+FORMS: Mapping[str, tuple[Form, int]] = {
+    "cusp": (lambda jet: jet.speed_squared, 1),
+    "inflection": (lambda jet: jet.inflection_form, 2),
+    "parabolic": (lambda jet: jet.parabolic_form, 4),
+    "sextactic": (lambda jet: jet.sextactic_form, 5),
+}
+#: terms of the Taylor forms, and of those that prove a multiple zero to be alone
+LENGTH, LONG = 6, 20
+#: two zeros nearer than this, in parts of the interval, are one knot
+SAME = 2.0**-60
+#: probes that may show that a form does not vanish identically
+PROBES = ("0.38196601", "0.61803399", "0.14589803", "0.85410197", "0.5278640")
+
+
+@dataclass(frozen=True)
+class SpecialPoint:
+    """A point where the curve is split.
+
+    ``at`` is a ball around the parameter value; ``kinds`` are among cusp, inflection, parabolic and
+    sextactic; ``decided`` is False where a zero could be neither proved nor excluded.
+    """
+
+    at: Any
+    kinds: frozenset[str]
+    decided: bool = True
+
+
+def vanishes(curve: CurveBalls, name: str, low: Any, high: Any) -> bool:
+    """Whether a form seems to vanish identically: its balls contain 0 at every probe, to 600 digits.
+
+    False is a proof; True asks for a symbolic one.
+    """
+    form, order = FORMS[name]
+    for bits in (PRECISION, 2048):
+        with precision(bits):
+            for probe in PROBES:
+                t = arb((low + (high - low) * arb(probe)).mid())
+                series = curve.form_series(form, t, order, 1)
+                if series is None:
+                    raise DomainError(undefined(curve, t, t, ()))
+                if not series[0].contains(0):
+                    return False
+    return True
+
+
+def special_points(curve: CurveBalls, low: Node, high: Node, names: Sequence[str]) -> list[SpecialPoint]:
+    """The special points of the given kinds inside [low, high], in order, merged where they coincide.
+
+    Points at the ends are reported too (their frames are limits).  Raises DomainError where the
+    curve or a derivative is not finite, naming the parameter value.
+
+    >>> from osculant.cas.formula import parse_constant, parse_tuple
+    >>> cubic = CurveBalls(parse_tuple("t, t^3"))
+    >>> [point] = special_points(cubic, parse_constant("-1"), parse_constant("2"), ["cusp", "inflection"])
+    >>> sorted(point.kinds), abs(point.at) < 1e-30
+    (['inflection'], True)
+    """
+    with precision(PRECISION):
+        a, b = constant(low), constant(high)
+        evaluate = _Evaluation(curve)
+        infinite = first_infinite(evaluate, names, a, b)
+        if infinite is not None:
+            raise DomainError(undefined(curve, *infinite, (low, high)))
+        multiple = _MultipleZeros(curve, (low, high))
+        found = isolate(evaluate, multiple, names, a, b)
+        points = _simple(curve, found, a, b) + multiple.points
+        for box in _joined(found.unresolved):
+            kinds = frozenset(box.open)
+            narrow = box.high - box.low < (b - a) * arb(2) ** -(SMALLEST - 8)
+            # what the work limit left over may be wide: then both its ends are knots
+            places = [ball(box.low, box.high).mid()] if narrow else [box.low.mid(), box.high.mid()]
+            points += [SpecialPoint(arb(place), kinds, decided=False) for place in places]
+        return _merged(points, b - a)
+
+
+class _Evaluation:
+    """Series of several forms over one ball, sharing the curve's own series."""
+
+    def __init__(self, curve: CurveBalls) -> None:
+        self.curve = curve
+
+    def __call__(self, t: Any, names: Sequence[str]) -> dict[str, list[Any]] | None:
+        jet = self.curve.series_jet(t, max(FORMS[name][1] for name in names), LENGTH)
+        if jet is None:
+            return None
+        found = {}
+        for name in names:
+            series = FORMS[name][0](jet).coeffs()[:LENGTH]
+            found[name] = series + [arb(0)] * (LENGTH - len(series))
+        return found
+
+
+def _simple(curve: CurveBalls, found: Isolation, a: Any, b: Any) -> list[SpecialPoint]:
+    points = []
+    for name, brackets in found.brackets.items():
+        form, order = FORMS[name]
+
+        def value(t: Any, form: Form = form, order: int = order) -> Any:
+            series = curve.form_series(form, t, order, 1)
+            return arb.nan() if series is None else series[0]
+
+        def slope(t: Any, form: Form = form, order: int = order) -> Any:
+            centre = arb(t.mid())
+            over = curve.form_series(form, t, order, LENGTH)
+            at = curve.form_series(form, centre, order, LENGTH)
+            if over is None or at is None:
+                return arb.nan()
+            return taylor_form(differentiated(at), differentiated(over), t - centre)
+
+        for low, high in brackets:
+            zero = refine(value, slope, low, high, PRECISION // 2)
+            if zero is not None:
+                points.append(SpecialPoint(zero, frozenset([name])))
+    return points
+
+
+def _joined(boxes: list[Box]) -> list[Box]:
+    """Unresolved boxes that touch, as one."""
+    joined: list[Box] = []
+    for box in sorted(boxes, key=lambda box: float(box.low.mid())):
+        if joined and joined[-1].high >= box.low:
+            last = joined.pop()
+            box = Box(last.low, box.high, tuple(sorted({*last.open, *box.open})))
+        joined.append(box)
+    return joined
+
+
+class _MultipleZeros:
+    """Proves that a form has one zero, a multiple one, in a neighbourhood of a small interval.
+
+    If at a simple number c the first m Taylor coefficients of the form vanish exactly and its m-th
+    derivative has one sign on the neighbourhood, the form is (t − c)^m times something without zeros.
+    """
+
+    def __init__(self, curve: CurveBalls, ends: tuple[Node, Node]) -> None:
+        self.curve = curve
+        self.ends = [(end, constant(end)) for end in ends]
+        self.points: list[SpecialPoint] = []
+
+    def __call__(self, name: str, low: Any, high: Any) -> tuple[Any, Any] | None:
+        """The neighbourhood, if a zero is proved in it (and noted in ``points``)."""
+        width = high - low
+        low, high = arb((low - width).mid()), arb((high + width).mid())
+        candidates = [(end, at) for end, at in self.ends if at >= low and at <= high]
+        candidates += [(c, constant(c)) for c in simple_numbers(low, high)]
+        for candidate, at in candidates:
+            if self.only_zero(name, candidate, at, ball(low, high)):
+                self.points.append(SpecialPoint(at, frozenset([name])))
+                return low, high
+        return None
+
+    def only_zero(self, name: str, candidate: Node, at: Any, whole: Any) -> bool:
+        """Whether the form has a zero exactly at the candidate and no other in the ball ``whole``."""
+        form, order = FORMS[name]
+        here = self.curve.form_series(form, at, order, 1)
+        if here is None or not here[0].contains(0):
+            return False
+        centre = arb(whole.mid())
+        over = self.curve.form_series(form, whole, order, LONG)
+        around = self.curve.form_series(form, centre, order, LONG)
+        if over is None or around is None:
+            return False
+        for multiplicity in range(1, LONG):
+            around, over = differentiated(around), differentiated(over)
+            if not taylor_form(around, over, whole - centre).contains(0):
+                return order_of_zero(self.curve.coordinates, form, order, candidate, multiplicity)
+        return False
+
+
+def _merged(points: list[SpecialPoint], size: Any) -> list[SpecialPoint]:
+    merged: list[SpecialPoint] = []
+    for point in sorted(points, key=lambda point: float(point.at.mid())):
+        if merged and not abs(point.at - merged[-1].at) > size * SAME:
+            last = merged.pop()
+            sharper = min(point, last, key=lambda p: float(p.at.rad()))
+            point = SpecialPoint(sharper.at, last.kinds | point.kinds, last.decided and point.decided)
+        merged.append(point)
+    return merged
+
+
+def undefined(curve: CurveBalls, low: Any, high: Any, ends: Sequence[Node]) -> str:
+    """The sentence for a small interval in which the curve has no finite series."""
+    whole = ball(low, high)
+    known = [constant(end) for end in ends] + [constant(c) for c in simple_numbers(low, high)]
+    at = next((t for t in known if t.overlaps(whole)), arb(whole.mid()))
+    value = curve.coefficients(at, 0)
+    reason = f"at t = {float(at.mid()):.10g} ({curve.explain(whole)})"
+    if all(row[0].is_finite() for row in value):
+        return f"The curve has no finite derivatives {reason}: take another parameter, or an interval without it."
+    return f"The curve is undefined or infinite {reason}: take an interval without it."

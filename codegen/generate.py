@@ -1,0 +1,67 @@
+"""Writes ``kernels/generated`` from the derivations in ``cas``: ``python -m osculant.codegen.generate``.
+
+With ``--check`` nothing is written; the exit status is 1 if a committed file differs from what the
+derivations give today.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from osculant.cas import pencil
+from osculant.codegen.closed_forms import ClosedForm, module_source
+
+FOLDER = Path(__file__).resolve().parent.parent / "kernels" / "generated"
+
+
+def pencil_module() -> str:
+    """Displacement, weight and peak constants of the pencil of bitangent conics."""
+    p = pencil
+    move = p.displacement()
+    bezier = p.weights()
+    lines = (p.l0, p.l1, p.l2)
+    forms = [
+        ClosedForm(
+            "displacement",
+            "d, ∂d/∂Q, d′ and the lines l₀, l₁, l₂ at the foot; NaN where the normal misses the conic.",
+            (p.Q, *lines, p.n0, p.n1, p.n2, p.t0, p.t1, p.t2, p.speed, p.curvature),
+            {name: move[name] for name in ("d", "by_q", "slope", "foot0", "foot1", "foot2")},
+        ),
+        ClosedForm("through", "Q of the conic through a point with these lines.", lines, {"Q": p.through()}),
+        ClosedForm(
+            "parabola", "Q of the parabola.", (p.sin_a, p.sin_b, p.sin_psi), {"Q": bezier["parabola"]}
+        ),
+        ClosedForm(
+            "weight",
+            "Bézier weight w and the length of V = w(P₁ − P₀).",
+            (p.Q, p.chord, p.sin_a, p.sin_b, p.sin_psi),
+            {"weight": bezier["weight"], "reach": bezier["reach"]},
+        ),
+    ]
+    constants = {}
+    for primitive, crossings in (("PARABOLA", 0), ("CONIC", 1)):
+        for name, value in p.lobes(crossings).items():
+            constants[f"{primitive}_{name.upper()}"] = value
+    return module_source("cas/pencil.py", forms, constants)
+
+
+MODULES = {"pencil.py": pencil_module}
+
+
+def main(arguments: list[str]) -> int:
+    """Write or, with ``--check``, compare all generated modules; returns the exit status."""
+    stale = []
+    for name, make in MODULES.items():
+        path, text = FOLDER / name, make()
+        if "--check" not in arguments:
+            path.write_text(text, encoding="utf-8")
+        elif not path.exists() or path.read_text(encoding="utf-8") != text:
+            stale.append(name)
+    for name in stale:
+        print(f"kernels/generated/{name} is not what its derivation gives: run `make generate`.")
+    return 1 if stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

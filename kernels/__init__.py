@@ -1,0 +1,1 @@
+"""Machine-speed kernels: floats in contiguous arrays, numba; never sympy, never files."""

@@ -1,0 +1,84 @@
+"""The pencil of bitangent conics of one arc, seen from points of the curve (thesis 3.3)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from osculant.kernels.curve import Frame, Place, sample
+from osculant.kernels.generated import pencil as generated
+from osculant.kernels.jit import kernel
+
+#: (P₀, T₀, P₂, T₂, ĉ, |chord|, sin A, sin B, sin ψ), flattened
+Pencil = tuple[
+    float, float, float, float, float, float, float, float, float, float, float, float, float, float
+]
+#: l₀, l₁, l₂, their derivatives along N and along T, the speed and the curvature at one curve point
+View = tuple[float, float, float, float, float, float, float, float, float, float, float]
+
+
+@kernel
+def pencil(start: Frame, end: Frame) -> Pencil:
+    """The pencil of an arc from its end frames."""
+    x0, y0, tx0, ty0 = start
+    x2, y2, tx2, ty2 = end
+    chord = math.sqrt((x2 - x0) ** 2 + (y2 - y0) ** 2)
+    cx, cy = (x2 - x0) / chord, (y2 - y0) / chord
+    sin_a = tx0 * cy - ty0 * cx
+    sin_b = cx * ty2 - cy * tx2
+    sin_psi = tx0 * ty2 - ty0 * tx2
+    return x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, chord, sin_a, sin_b, sin_psi
+
+
+@kernel
+def is_proper(pen: Pencil) -> bool:
+    """Whether bounded members can exist: the arc bends to the left of both end tangents."""
+    return pen[10] > 0.0 and pen[11] > 0.0 and pen[12] > 0.0
+
+
+@kernel
+def weight(pen: Pencil, q: float) -> float:
+    """The Bézier weight w of the member Q; the arc is bounded iff w > −1."""
+    w, _ = generated.weight(q, pen[10], pen[11], pen[12], pen[13])
+    return w
+
+
+@kernel
+def view(pen: Pencil, address: int, place: Place, jet: np.ndarray[Any, Any], t: float) -> View:
+    """The three lines of the pencil and their derivatives at α(t)."""
+    x, y, tx, ty, speed, curvature = sample(address, place, jet, t)
+    x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, _, _, _, _ = pen
+    ux, uy, vx, vy = x - x0, y - y0, x - x2, y - y2
+    # [v, N] with N = (−T_y, T_x) is the scalar product of v and T
+    return (
+        tx2 * vy - ty2 * vx,
+        cx * uy - cy * ux,
+        tx0 * uy - ty0 * ux,
+        tx2 * tx + ty2 * ty,
+        cx * tx + cy * ty,
+        tx0 * tx + ty0 * ty,
+        tx2 * ty - ty2 * tx,
+        cx * ty - cy * tx,
+        tx0 * ty - ty0 * tx,
+        speed,
+        curvature,
+    )
+
+
+@kernel
+def displacement(q: float, seen: View) -> tuple[float, float, float]:
+    """d, ∂d/∂Q and d′ at a point; d is NaN where the normal misses the arc of the member Q."""
+    d, by_q, slope, foot0, foot1, foot2 = generated.displacement(q, *seen)
+    if foot0 >= 0.0 and foot1 <= 0.0 and foot2 >= 0.0:
+        return d, by_q, slope
+    return math.nan, by_q, slope
+
+
+@kernel
+def through(seen: View) -> float:
+    """Q of the member through the point, NaN unless the point is inside both end tangents."""
+    if seen[0] > 0.0 and seen[2] > 0.0 and seen[1] < 0.0:
+        return generated.through(seen[0], seen[1], seen[2])
+    return math.nan

@@ -1,0 +1,1 @@
+"""Kernels printed by `codegen.generate` from the derivations in ``cas``; never edited by hand."""

@@ -1,0 +1,194 @@
+"""The greedy spline of one stretch: the longest arc within the tolerance, again and again.
+
+Each arc's end is found by secant steps on log error against log length, with `exchange` as the
+evaluation (about three curve samples each); whatever does not come out consistent goes through a
+bracketed search on `scan.minimax`.  An arc is kept only after `scan.measure` has found its error, on
+common normals of its own, within the tolerance.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from osculant.kernels.bitangent import Pencil, pencil
+from osculant.kernels.curve import JET_SIZE, Frame, Place, sample
+from osculant.kernels.exchange import PARABOLA, Peaks, exchange, first_peaks
+from osculant.kernels.generated import pencil as generated
+from osculant.kernels.jit import kernel
+from osculant.kernels.scan import GRID, VIEW_SIZE, measure, minimax
+
+#: why an arc ends where it does
+ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT = 0, 1, 2
+#: columns of the table of pieces: knots a and b, Q, error, reason, then the `Pencil` without what follows from it
+COLUMNS = 13
+#: inner samples of the measurement that decides
+CHECKED = 8
+#: fast evaluations per arc before the careful search takes over
+FAST_STEPS = 16
+#: an arc changes its length at most by this factor in one fast step
+STRIDE = 3.0
+#: the secant aims here in the window of admissible errors, 0 being its upper end
+AIM = 0.3
+#: a settled evaluation: peak corrections below this part of the admissible error window
+UNREST = 0.05
+#: evaluations of the careful search
+CAREFUL_STEPS = 200
+
+
+@kernel
+def frame(address: int, place: Place, jet: np.ndarray[Any, Any], t: float) -> Frame:
+    """The frame of the curve at t."""
+    x, y, tx, ty, _, _ = sample(address, place, jet, t)
+    return x, y, tx, ty
+
+
+@kernel
+def frame_at(
+    address: int, place: Place, jet: np.ndarray[Any, Any], t: float, stop: float, last: Frame
+) -> Frame:
+    """The frame at t, which at the end of the stretch is the given limit frame."""
+    return last if t == stop else frame(address, place, jet, t)
+
+
+@kernel
+def quick_arc(
+    primitive: int, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, start: Frame,
+    stop: float, last: Frame, length: float, low: float, high: float, peaks: Peaks,
+) -> tuple[float, float, Peaks, bool]:  # fmt: skip
+    """(b, Q, peaks, found) of the longest arc with error in [low, high], by fast steps from ``length``."""
+    exponent = 4.0 if primitive == PARABOLA else 5.0
+    aim = AIM * low + (1.0 - AIM) * high
+    calm = UNREST * (high - low) / high
+    steeps, before = (math.nan, math.nan), (math.nan, math.nan)
+    previous, previous_error = math.nan, math.nan
+    for _ in range(FAST_STEPS):
+        b = min(a + length, stop)
+        if a + length > stop - 1e-9 * length:
+            b = stop
+        length = b - a
+        end = frame_at(address, place, jet, b, stop, last)
+        error, q, unrest, moved, steeps = exchange(
+            primitive, address, place, jet, a, start, b, end, peaks, steeps, before
+        )
+        if not error > 0.0:
+            return b, q, peaks, False
+        before, peaks = (peaks[0], peaks[1]), moved
+        if unrest <= calm and error <= high and (error >= low or b == stop):
+            return b, q, peaks, True
+        if error != previous_error and length != previous:
+            seen = math.log(error / previous_error) / math.log(length / previous)
+            if 1.0 < seen < 12.0:  # not so while there is no previous evaluation
+                exponent = seen
+        previous, previous_error = length, error
+        if low <= error <= high or (b == stop and error < low and unrest > calm):
+            continue  # only the peaks have to settle
+        length *= min(STRIDE, max(1.0 / STRIDE, (aim / error) ** (1.0 / exponent)))
+    return a + length, math.nan, peaks, False
+
+
+@kernel
+def careful_arc(
+    primitive: int, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, start: Frame,
+    stop: float, last: Frame, length: float, low: float, high: float, views: np.ndarray[Any, Any],
+) -> tuple[float, float, int]:  # fmt: skip
+    """(b, Q, reason) of the longest arc with error at most ``high``, by a bracketed search.
+
+    Q is NaN if not even the shortest arc can be approximated.
+    """
+    error, q = minimax(primitive, address, place, jet, a, start, stop, last, views)
+    if error <= high:
+        return stop, q, ENDS_AT_STRETCH
+    aim = AIM * low + (1.0 - AIM) * high
+    good, good_q, good_error = 0.0, math.nan, 0.0
+    bad, bad_error = stop - a, error
+    length = min(length, 0.5 * bad)
+    for step in range(CAREFUL_STEPS):
+        b = a + length
+        if not (b > a and b < stop) or length <= good or length >= bad:
+            break
+        error, q = minimax(
+            primitive, address, place, jet, a, start, b, frame(address, place, jet, b), views
+        )
+        if error <= high:
+            good, good_q, good_error = length, q, error
+            if error >= low:
+                return b, q, ENDS_AT_TOLERANCE
+        else:
+            bad, bad_error = length, error
+        if good == 0.0:
+            length = 0.5 * bad if not math.isfinite(bad_error) else bad * max(0.1, 0.9 * (aim / bad_error) ** 0.2)
+        elif step % 3 == 0 or not math.isfinite(bad_error):
+            length = 0.5 * (good + bad)
+        else:  # false position on log error against log length
+            slope = math.log(bad_error / good_error) / math.log(bad / good)
+            length = good * (aim / good_error) ** (1.0 / slope)
+            if not good < length < bad:
+                length = 0.5 * (good + bad)
+    if good == 0.0:
+        return a, math.nan, ENDS_AT_LIMIT
+    return a + good, good_q, ENDS_AT_LIMIT
+
+
+@kernel
+def record(row: np.ndarray[Any, Any], a: float, b: float, q: float, error: float, reason: int, pen: Pencil) -> None:
+    """Write one piece into a row of the table: a, b, Q, error, reason, P₀, T₀, P₂, weight, |V| (see COLUMNS)."""
+    w, reach = generated.weight(q, pen[10], pen[11], pen[12], pen[13])
+    row[0], row[1], row[2], row[3], row[4] = a, b, q, error, reason
+    for j in range(6):
+        row[5 + j] = pen[j]
+    row[11], row[12] = w, reach
+
+
+@kernel
+def spline(
+    primitive: int, address: int, place: Place, a: float, start: Frame, stop: float, last: Frame,
+    low: float, high: float, length: float, table: np.ndarray[Any, Any],
+) -> tuple[int, float, int]:  # fmt: skip
+    """Fill ``table`` (capacity, `COLUMNS`) with the pieces of the stretch [a, stop].
+
+    Errors of pieces that end at the tolerance lie in [low, high], those of the others at most at
+    ``high``; ``start`` and ``last`` are the (limit) frames at the ends and ``length`` is a first guess in
+    units of the parameter.  Returns (pieces, where the last one ends, careful searches); the last one
+    ends before ``stop`` if the table is full or if nothing can be found there.
+    """
+    jet = np.empty(JET_SIZE)
+    checks = np.empty((CHECKED, VIEW_SIZE))
+    views = np.empty((GRID, VIEW_SIZE))
+    peaks = first_peaks(primitive)
+    careful = 0
+    previous = math.nan
+    for count in range(table.shape[0]):
+        b, q, after, found = quick_arc(
+            primitive, address, place, jet, a, start, stop, last, length, low, high, peaks
+        )
+        reason = ENDS_AT_STRETCH if b == stop else ENDS_AT_TOLERANCE
+        error = math.inf
+        if found:
+            end = frame_at(address, place, jet, b, stop, last)
+            pen = pencil(start, end)
+            error = measure(pen, q, address, place, jet, a, b, checks)
+        if error <= high and (error >= low or b == stop):
+            peaks = after
+        else:
+            careful += 1
+            b, q, reason = careful_arc(
+                primitive, address, place, jet, a, start, stop, last, length, low, high, views
+            )
+            if math.isnan(q):
+                return count, a, careful
+            end = frame_at(address, place, jet, b, stop, last)
+            pen = pencil(start, end)
+            error = measure(pen, q, address, place, jet, a, b, views)
+            peaks = first_peaks(primitive)
+        record(table[count], a, b, q, error, reason, pen)
+        if b == stop:
+            return count + 1, b, careful
+        length = b - a
+        if previous > 0.0:  # lengths of neighbouring arcs change by about the same factor
+            length *= min(2.0, max(0.5, length / previous))
+        previous = b - a
+        a, start = b, end
+    return table.shape[0], a, careful

@@ -1,0 +1,66 @@
+"""Curves approximated with the fewest pieces, provably, from their formula.
+
+>>> import osculant as osc
+>>> osc.__version__
+'0.1.0'
+
+The front door is lazy: a name's module is imported when the name is first used, so that importing one room
+(``osculant.cas``, ``osculant.codegen``, ``osculant.kernels``) costs nothing of the others.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from osculant.api import approximate, complexity, curve
+    from osculant.asymptotics import Complexity
+    from osculant.cas.errors import DomainError, FormulaError, OsculantError, ToleranceError, UndecidedError
+    from osculant.plane import PlaneCurve
+    from osculant.spline import Piece, Spline
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Complexity",
+    "DomainError",
+    "FormulaError",
+    "OsculantError",
+    "Piece",
+    "PlaneCurve",
+    "Spline",
+    "ToleranceError",
+    "UndecidedError",
+    "approximate",
+    "complexity",
+    "curve",
+]
+
+# No module here may bear the name of one of these: importing it would put the module in the name's place.
+_HOME = {
+    "curve": "osculant.api",
+    "approximate": "osculant.api",
+    "complexity": "osculant.api",
+    "PlaneCurve": "osculant.plane",
+    "Complexity": "osculant.asymptotics",
+    "Spline": "osculant.spline",
+    "Piece": "osculant.spline",
+    "OsculantError": "osculant.cas.errors",
+    "FormulaError": "osculant.cas.errors",
+    "DomainError": "osculant.cas.errors",
+    "ToleranceError": "osculant.cas.errors",
+    "UndecidedError": "osculant.cas.errors",
+}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _HOME:
+        raise AttributeError(f"module 'osculant' has no attribute {name!r}")
+    value = getattr(import_module(_HOME[name]), name)
+    globals()[name] = value  # the next look-up finds it without this function
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, "__version__"])

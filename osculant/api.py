@@ -1,0 +1,154 @@
+"""The public functions: `curve`, `approximate`, `complexity`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, Literal
+
+from osculant.asymptotics import Complexity, complexity_of
+from osculant.cas.errors import DomainError, ToleranceError
+from osculant.plane import PlaneCurve
+from osculant.spline import Spline
+from osculant.stretches import BREAKS, Division, Stretch, divide
+
+#: tolerances below this many rounding units of the largest coordinate are refused
+FLOOR_ULPS = 1000
+#: the window [ε(1−δ), ε] of a piece's error: δ is the larger of this …
+WINDOW = 1e-6
+#: … and this many rounding units of the largest coordinate, in parts of ε
+WINDOW_ULPS = 32
+
+
+def curve(formulas: Any, low: Any = None, high: Any = None) -> PlaneCurve:
+    """A plane curve from its formulas and, to approximate it, the ends of its interval.
+
+    Args:
+        formulas: text such as ``"t*cos(t), t*sin(t)"`` (a graph is ``"t, f(t)"``, a polar curve
+            ``"r(t)*cos(t), r(t)*sin(t)"``), or two sympy or symengine expressions in t.
+        low, high: formulas without variables as text, numbers, or sympy constants.
+
+    Raises FormulaError or DomainError as `PlaneCurve` does.
+
+    >>> curve("t, t^2", -1, "sqrt(2)")
+    <PlaneCurve t, t**2, t from -1 to sqrt(2)>
+    """
+    return PlaneCurve(formulas, low, high)
+
+
+def approximate(
+    curve: PlaneCurve,
+    primitive: str = "conic",
+    tolerance: float = 1e-6,
+    *,
+    metric: str = "hausdorff",
+    split_at: Sequence[Any] = (),
+    progress: Callable[[float], None] | None = None,
+) -> Spline:
+    """The tangent-continuous spline with the fewest parabolas or conics within a tolerance.
+
+    Args:
+        curve: with its interval.
+        primitive: "parabola" or "conic".
+        tolerance: the Hausdorff distance allowed, in the units of the coordinates.
+        metric: "hausdorff".
+        split_at: parameter values that shall be knots besides those that theory demands.
+        progress: called now and then with the part of the interval done, 0…1.
+
+    Returns a `Spline`: its pieces' errors are measured on common normals of curve and piece after the
+    search and lie within the tolerance; a piece that ends neither at a split point nor at the end
+    has its error in [ε(1−δ), ε], δ = max(1e-6, 32 ulp(largest coordinate)/ε).  The errors are
+    estimates, not certificates.
+
+    Raises DomainError where the curve is undefined, ToleranceError for a tolerance that is not a
+    positive number or lies below the rounding floor, UndecidedError where a cap was reached.
+
+    Source: thesis, sections 3.3 and 3.7.
+
+    >>> import osculant as osc
+    >>> spline = osc.approximate(osc.curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic", 1e-4)
+    >>> len(spline), spline.predicted_pieces, spline.minimal
+    (9, 9, 'by theory')
+    """
+    _check_choices(primitive, metric)
+    tolerance = _checked_tolerance(tolerance)
+    division = divide(curve, primitive, split_at)
+
+    from osculant.fitting import Fitting  # compiles kernels: only once something is to be fitted
+
+    fitting = Fitting(curve, primitive, tolerance, division)
+    floor = FLOOR_ULPS * fitting.ulp
+    if tolerance < floor:
+        raise ToleranceError(
+            f"The tolerance {tolerance:g} is below the rounding floor {floor:.3g} of coordinates "
+            f"as large as {fitting.largest:.6g}: choose at least that."
+        )
+    delta = max(WINDOW, WINDOW_ULPS * fitting.ulp / tolerance)
+    pieces, least = [], []
+    for stretch in division.stretches:
+        found = fitting.pieces(stretch, delta, progress)
+        pieces += found
+        least.append(len(found) if stretch.kind == "exact" else 1)
+    law = partial(complexity_of, curve, primitive, division, tuple(least))
+    return Spline(
+        curve,
+        primitive,
+        metric,
+        tolerance,
+        tuple(pieces),
+        _minimal(division, len(pieces)),
+        division.undecided,
+        division.splits,
+        lambda: _Prediction(law(), tolerance),
+    )
+
+
+def complexity(
+    curve: PlaneCurve, primitive: str = "conic", *, metric: str = "hausdorff", split_at: Sequence[Any] = ()
+) -> Complexity:
+    """How many pieces theory predicts: leading constant, order, and ``count(tolerance)``.
+
+    Formulas (3.17) and (3.18), integrated over every stretch between special points.  Arguments and
+    errors as for `approximate`.
+
+    >>> law = complexity(curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic")
+    >>> law.constants, law.order, law.count(1e-8)
+    (('1.2695901170369955254',), 5, 51)
+    """
+    _check_choices(primitive, metric)
+    division = divide(curve, primitive, split_at)
+    return complexity_of(curve, primitive, division, (1,) * len(division.stretches))
+
+
+class _Prediction:
+    """A complexity at one tolerance."""
+
+    def __init__(self, law: Complexity, tolerance: float) -> None:
+        self.predicted = law.predicted(tolerance)
+        self.predicted_pieces = law.predicted_pieces(tolerance)
+
+
+def _minimal(division: Division, count: int) -> Literal["proved", "by theory", "unknown"]:
+    if division.undecided or not division.proved:
+        return "unknown"
+    if count == len(division.stretches):
+        return "proved"  # every stretch takes at least one piece
+    return "unknown" if any(s.kind == "exact" for s in division.stretches) else "by theory"
+
+
+def _check_choices(primitive: str, metric: str) -> None:
+    if primitive not in BREAKS:
+        raise DomainError(f"The primitive {primitive!r} is unknown: choose one of {', '.join(BREAKS)}.")
+    if metric != "hausdorff":
+        raise DomainError(f"The metric {metric!r} is unknown: choose hausdorff.")
+
+
+def _checked_tolerance(tolerance: Any) -> float:
+    try:
+        value = float(tolerance)
+    except (TypeError, ValueError):
+        raise ToleranceError(f"The tolerance {tolerance!r} is not a number: give one such as 1e-6.") from None
+    if not (value > 0 and math.isfinite(value)):
+        raise ToleranceError(f"The tolerance is {value:g}: give a positive finite number such as 1e-6.")
+    return value

@@ -1,0 +1,75 @@
+"""Invariants at one parameter value, to any number of digits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from osculant.cas.errors import DomainError
+
+if TYPE_CHECKING:
+    from osculant.cas.balls import CurveBalls
+    from osculant.cas.expression import Node
+
+#: digits that may be asked for
+MOST_DIGITS = 10_000
+#: bits spent beyond the digits asked for at first, and how often they are doubled at most
+GUARD, DOUBLINGS = 64, 4
+
+
+def invariants_to_digits(curve: CurveBalls, at: Node, digits: int) -> dict[str, Any]:
+    """The invariants of `cas.invariants.INVARIANTS` at a constant, as mpmath numbers by name.
+
+    The balls around them are made narrower until ``digits`` digits are certain.  A value whose ball still
+    contains 0 after that, with an absolute error far below 10^−digits, is returned as 0; None stands for
+    what does not exist (or cannot be told from it) at this point.
+
+    Raises DomainError where the curve has no five finite derivatives, or for a silly number of digits.
+    """
+    from osculant.cas.balls import arb, constant, precision
+    from osculant.cas.expression import to_text
+    from osculant.cas.invariants import INVARIANTS
+
+    if not 1 <= digits <= MOST_DIGITS:
+        raise DomainError(f"{digits} digits cannot be given: ask for 1 to {MOST_DIGITS}.")
+    balls: dict[str, Any] = {}
+    bits = int(3.33 * digits) + GUARD
+    for _ in range(DOUBLINGS):
+        with precision(bits):
+            t = constant(at)
+            jet = curve.jet(t, 5)
+            if not all(value.is_finite() for value in (*jet.x, *jet.y)):
+                raise DomainError(
+                    f"The curve has no finite derivatives at t = {to_text(at)} ({curve.explain(t)}): choose another point."
+                )
+            balls = {invariant.name: invariant.of(jet) for invariant in INVARIANTS}
+            tiny = arb(10) ** -(digits + 10)
+            if all(_certain(part, digits, tiny) for value in balls.values() for part in _parts(value)):
+                break
+        bits *= 2
+    return {name: _number(value, digits) for name, value in balls.items()}
+
+
+def _parts(value: Any) -> tuple[Any, ...]:
+    if value is None:
+        return ()
+    return value if isinstance(value, tuple) else (value,)
+
+
+def _certain(ball: Any, digits: int, tiny: Any) -> bool:
+    if not ball.is_finite():
+        return False
+    return bool(ball.rel_accuracy_bits() > 3.33 * digits + 2 or (ball.contains(0) and abs(ball) < tiny))
+
+
+def _number(value: Any, digits: int) -> Any:
+    import mpmath
+
+    if isinstance(value, tuple):
+        pair = tuple(_number(part, digits) for part in value)
+        return None if None in pair else pair
+    if value is None or not value.is_finite():
+        return None
+    if value.contains(0):
+        return mpmath.mpf(0)
+    with mpmath.workdps(digits):
+        return mpmath.mpf(value.mid().str(digits + 5, radius=False))

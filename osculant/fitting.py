@@ -1,0 +1,181 @@
+"""From stretches to pieces: feeds the kernels and turns their tables into `Piece` objects."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from osculant.cas.errors import DomainError, UndecidedError
+from osculant.kernels import bitangent, exchange, greedy, scan
+from osculant.kernels.curve import JET_SIZE, sample_many
+from osculant.kernels.jit import announce
+from osculant.pieces import Piece, classify
+from osculant.stretches import Division, Frame, Stretch
+
+if TYPE_CHECKING:
+    from osculant.plane import PlaneCurve
+
+#: samples that tell the size of a curve
+SIZING = 257
+#: pieces per call of the kernel
+CHUNK = 4096
+#: more pieces than this are not made
+MOST_PIECES = 5_000_000
+#: panels and nodes of the quadrature of affine length along an exact arc
+PANELS, NODES = 64, 8
+
+PRIMITIVES = {"parabola": exchange.PARABOLA, "conic": exchange.CONIC}
+
+
+class Fitting:
+    """One approximation: a curve, a primitive and a tolerance, with the kernels' local coordinates.
+
+    ``largest`` is the largest absolute coordinate of the curve (of its samples), ``ulp`` its rounding unit.
+    """
+
+    def __init__(self, curve: PlaneCurve, primitive: str, tolerance: float, division: Division) -> None:
+        announce()
+        self.curve, self.tolerance = curve, tolerance
+        self.primitive = primitive
+        self.division = division
+        first, last = division.stretches[0], division.stretches[-1]
+        points = self._jets(np.linspace(first.a, last.b, SIZING))[:, [0, 3]]
+        points = np.vstack([points, [f.point for s in division.stretches for f in (s.start, s.end)]])
+        finite = points[np.isfinite(points).all(axis=1)]
+        self.largest = float(np.abs(finite).max())
+        self.ulp = math.ulp(self.largest)
+        if len(finite) < len(points) - 2 or not math.isfinite(self.ulp):
+            raise DomainError(
+                f"The curve {curve.text} leaves the range of double numbers on its interval: scale it or take a "
+                "smaller interval."
+            )
+        self.origin = first.start.point
+        size = float(np.ptp(finite, axis=0).max())
+        self.scale = 2.0 ** -math.frexp(size)[1] if size > 0 else 1.0
+
+    def _jets(self, times: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+        out = np.empty((len(times), JET_SIZE))
+        sample_many(self.curve.compiled.address, times, out)
+        return out
+
+    def pieces(
+        self, stretch: Stretch, delta: float, progress: Callable[[float], None] | None
+    ) -> list[Piece]:
+        """The pieces of one stretch; errors of inner pieces within [ε(1−δ), ε(1−δ/4)]."""
+        if stretch.kind == "segment":
+            return [Piece.segment((stretch.a, stretch.b), stretch.start.point, stretch.end.point)]
+        if stretch.kind == "exact":
+            return self._exact_pieces(stretch)
+        return self._greedy_pieces(stretch, delta, progress)
+
+    def _place(self, stretch: Stretch) -> tuple[float, float, float, float]:
+        return (*self.origin, self.scale, stretch.bend)
+
+    def _local(self, frame: Frame, bend: float) -> tuple[float, float, float, float]:
+        (x, y), (tx, ty) = frame.point, frame.tangent
+        return (
+            (x - self.origin[0]) * self.scale,
+            (y - self.origin[1]) * self.scale * bend,
+            tx,
+            ty * bend,
+        )
+
+    def _greedy_pieces(
+        self, stretch: Stretch, delta: float, progress: Callable[[float], None] | None
+    ) -> list[Piece]:
+        aim = self.tolerance * self.scale
+        low, high = aim * (1 - 7 / 8 * delta), aim * (1 - delta / 4)
+        start, end = self._local(stretch.start, stretch.bend), self._local(stretch.end, stretch.bend)
+        first, last = self.division.stretches[0].a, self.division.stretches[-1].b
+        a, pieces = stretch.a, []
+        length = (stretch.b - stretch.a) / 8
+        while a < stretch.b:
+            table = np.empty((CHUNK, greedy.COLUMNS))
+            count, reached, _ = greedy.spline(
+                PRIMITIVES[self.primitive],
+                self.curve.compiled.address,
+                self._place(stretch),
+                a,
+                start,
+                stretch.b,
+                end,
+                low,
+                high,
+                length,
+                table,
+            )
+            pieces += [self._piece(row, stretch.bend) for row in table[:count]]
+            if progress is not None:
+                progress((reached - first) / (last - first))
+            if count < CHUNK and reached < stretch.b:
+                raise UndecidedError(
+                    f"No {self.primitive} within {self.tolerance:g} was found for the curve after t = {reached:.15g}: "
+                    "choose a larger tolerance, or a split point there."
+                )
+            if len(pieces) > MOST_PIECES:
+                raise UndecidedError(
+                    f"More than {MOST_PIECES} pieces are needed: choose a larger tolerance or a shorter interval."
+                )
+            a, length = reached, table[count - 1, 1] - table[count - 1, 0]
+            start = greedy.frame(self.curve.compiled.address, self._place(stretch), np.empty(JET_SIZE), a)
+        return pieces
+
+    def _piece(self, row: np.ndarray[Any, Any], bend: float) -> Piece:
+        """A row of the kernel's table (`greedy.record`) in the user's coordinates."""
+        a, b, _, error, _, x0, y0, tx, ty, x2, y2, w, reach = (float(v) for v in row)
+        kind = classify(w)
+        if self.primitive == "parabola":
+            kind, w = "parabola", 1.0
+        back = 1.0 / self.scale
+
+        def user(x: float, y: float) -> tuple[float, float]:
+            return x * back + self.origin[0], y * back * bend + self.origin[1]
+
+        start = user(x0, y0)
+        reach *= back
+        middle = (w * start[0] + reach * tx, w * start[1] + reach * ty * bend)
+        return Piece(kind, (a, b), start, user(x2, y2), middle, w, error * back)
+
+    def _exact_pieces(self, stretch: Stretch) -> list[Piece]:
+        """The least number of arcs turning less than π each, of equal affine length, of a conic itself."""
+        address, place = self.curve.compiled.address, self._place(stretch)
+        jet, views = np.empty(JET_SIZE), np.empty((scan.GRID, scan.VIEW_SIZE))
+        knots = self._equal_affine_lengths(stretch)
+        frames = [greedy.frame(address, place, jet, t) for t in knots[1:-1]]
+        frames = [self._local(stretch.start, stretch.bend), *frames, self._local(stretch.end, stretch.bend)]
+        pieces = []
+        row = np.empty(greedy.COLUMNS)
+        for a, b, start, end in zip(knots, knots[1:], frames, frames[1:]):
+            pencil = bitangent.pencil(start, end)
+            q = bitangent.through(bitangent.view(pencil, address, place, jet, a + 0.4871 * (b - a)))
+            attained = scan.measure(pencil, q, address, place, jet, a, b, views) / self.scale
+            if not attained <= self.tolerance:
+                raise UndecidedError(
+                    f"The curve {self.curve.text} looks like a conic, but its own arc leaves it by {attained:.3g} between "
+                    f"t = {a:.10g} and {b:.10g}: shorten the interval."
+                )
+            greedy.record(row, a, b, q, 0.0 if self.division.proved else attained * self.scale, 0, pencil)
+            pieces.append(self._piece(row, stretch.bend))
+        return pieces
+
+    def _equal_affine_lengths(self, stretch: Stretch) -> list[float]:
+        """Knots of the arcs of an exact conic: an arc turns by π over the affine length π/√k."""
+        from osculant.cas.balls import PRECISION, precision
+
+        with precision(PRECISION):
+            inside = (stretch.low + (stretch.high - stretch.low) * 0.4871).mid()
+            k = float(self.curve.balls.jet(inside, 4).affine_curvature.mid())
+        nodes, weights = np.polynomial.legendre.leggauss(NODES)
+        edges = np.linspace(stretch.a, stretch.b, PANELS + 1)
+        half = np.diff(edges) / 2
+        times = (edges[:-1] + half)[:, None] + half[:, None] * nodes
+        jets = self._jets(times.ravel())
+        density = np.cbrt(np.abs(jets[:, 1] * jets[:, 5] - jets[:, 2] * jets[:, 4])).reshape(times.shape)
+        lengths = np.concatenate([[0.0], np.cumsum(half * (density @ weights))])
+        turns = lengths[-1] * math.sqrt(max(k, 0.0)) / math.pi
+        count = math.floor(turns + 1e-9) + 1  # a turning of π exactly is one too much
+        inner = np.interp(np.arange(1, count) * lengths[-1] / count, lengths, edges)
+        return [stretch.a, *map(float, inner), stretch.b]

@@ -1,0 +1,231 @@
+"""One piece of a spline: a bounded arc of a conic with given end tangents, or a straight segment.
+
+The arc is the rational quadratic Bézier curve
+
+    X(u) = (b₀P₀ + b₁M + b₂P₂) / (b₀ + w b₁ + b₂),   b₀ = (1−u)², b₁ = 2u(1−u), b₂ = u²,
+
+with homogeneous control point M = wP₁. Keeping M instead of P₁ makes parallel end tangents (w = 0, P₁ at
+infinity) and turning beyond π (w < 0) ordinary cases. With the vectors A = M − wP₀ along the first tangent,
+B = wP₂ − M along the last one and C = P₂ − P₀ (so that A + B = wC) the derivative is
+
+    X′(u) = 2((1−u)²A + u(1−u)C + u²B) / (b₀ + w b₁ + b₂)²,
+
+whose direction is finite for every w > −1. Source: thesis, section 3.3.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal, get_args
+
+import numpy as np
+
+from osculant.cas.errors import DomainError
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Floats = NDArray[np.float64]
+
+Point = tuple[float, float]
+Kind = Literal["ellipse", "parabola", "hyperbola", "segment"]
+
+
+def classify(weight: float) -> Kind:
+    """Name the conic that has this weight.
+
+    Args:
+        weight: weight w > −1 of the middle control point, the outer weights being 1.
+
+    Returns:
+        "ellipse" for w < 1, "hyperbola" for w > 1, "parabola" within four rounding units of 1.
+
+    >>> [classify(w) for w in (-0.5, 1.0, 3.0)]
+    ['ellipse', 'parabola', 'hyperbola']
+    """
+    if abs(weight - 1.0) <= 4 * math.ulp(0.5):
+        return "parabola"
+    return "ellipse" if weight < 1 else "hyperbola"
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A conic arc, or a segment, that stands for the curve on one parameter interval.
+
+    Attributes:
+        kind: "ellipse", "parabola", "hyperbola" or "segment".
+        interval: the curve's parameters at both ends.
+        start: first end point P₀.
+        end: last end point P₂.
+        middle: homogeneous control point M = wP₁; of a segment its midpoint.
+        weight: w > −1; of a parabola or a segment 1.
+        error: Hausdorff distance to the curve, as estimated; 0 if the piece is exact.
+
+    Raises:
+        DomainError: a weight at which the arc is not bounded.
+
+    >>> half = Piece("ellipse", (0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), 0.0, 0.0)
+    >>> half.point(0.5), half.tangent(0.5), half.control_point
+    (array([0., 1.]), array([-1.,  0.]), None)
+    """
+
+    kind: Kind
+    interval: tuple[float, float]
+    start: Point
+    end: Point
+    middle: Point
+    weight: float
+    error: float
+
+    def __post_init__(self) -> None:
+        if self.kind not in get_args(Kind):
+            raise DomainError(f"A piece is an {', '.join(get_args(Kind))}; {self.kind!r} is none of them.")
+        if not -1 < self.weight < math.inf:
+            raise DomainError(
+                f"A conic arc is bounded only for a weight above -1 and finite; this one has {self.weight!r}."
+            )
+
+    @classmethod
+    def segment(cls, interval: tuple[float, float], start: Point, end: Point, error: float = 0.0) -> Piece:
+        """Return the straight piece between two points.
+
+        >>> Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 4.0)).middle
+        (1.0, 2.0)
+        """
+        middle = (start[0] / 2 + end[0] / 2, start[1] / 2 + end[1] / 2)
+        return cls("segment", interval, start, end, middle, 1.0, error)
+
+    @cached_property
+    def legs(self) -> tuple[Point, Point, Point]:
+        """The vectors A = M − wP₀, B = wP₂ − M and C = P₂ − P₀, each rounded once from the exact value."""
+        w = Fraction(self.weight)
+        a, b, c = [], [], []
+        for p0, m, p2 in zip(self.start, self.middle, self.end):
+            start, middle, end = Fraction(p0), Fraction(m), Fraction(p2)
+            a.append(float(middle - w * start))
+            b.append(float(w * end - middle))
+            c.append(float(end - start))
+        return (a[0], a[1]), (b[0], b[1]), (c[0], c[1])
+
+    @cached_property
+    def bulge(self) -> Point:
+        """The vector E = M − w(P₀+P₂)/2, rounded once; E/(1+w) leads from the chord's middle to X(1/2)."""
+        w = Fraction(self.weight)
+        x, y = (
+            float(Fraction(m) - w * (Fraction(p0) + Fraction(p2)) / 2)
+            for p0, m, p2 in zip(self.start, self.middle, self.end)
+        )
+        return x, y
+
+    @property
+    def control_point(self) -> Point | None:
+        """P₁ = M/w, where the end tangents meet; None if they are parallel (w = 0) or P₁ overflows."""
+        if self.weight == 0:
+            return None
+        x, y = self.middle[0] / self.weight, self.middle[1] / self.weight
+        return (x, y) if math.isfinite(x) and math.isfinite(y) else None
+
+    def point(self, u: ArrayLike) -> Floats:
+        """Return X(u); exactly the end points at u = 0 and u = 1.
+
+        Args:
+            u: the conic's own parameter in [0, 1], an array of any shape.
+
+        Returns:
+            Points, of u's shape with a last axis of length 2.
+        """
+        u = np.asarray(u, dtype=np.float64)[..., None]
+        return combine(u, self.weight, np.array(self.start), np.array(self.end), *map(np.array, self.legs))
+
+    def tangent(self, u: ArrayLike) -> Floats:
+        """Return the unit tangent at X(u), of u's shape with a last axis of length 2.
+
+        >>> Piece("parabola", (0, 1), (0.0, 0.0), (2.0, 0.0), (1.0, 1.0), 1.0, 0.0).tangent([0, 0.5])
+        array([[0.70710678, 0.70710678],
+               [1.        , 0.        ]])
+        """
+        u = np.asarray(u, dtype=np.float64)[..., None]
+        a, b, c = map(np.array, self.legs)
+        v = 1 - u
+        direction: Floats = v * v * a + u * v * c + u * u * b
+        direction = direction / np.abs(direction).max(axis=-1, keepdims=True)  # squares must not underflow
+        return direction / np.hypot(direction[..., :1], direction[..., 1:])
+
+    def sample(self, n: int) -> Floats:
+        """Return n >= 2 points X(u) with u equally spaced and both ends included; shape (n, 2)."""
+        return self.point(np.linspace(0.0, 1.0, n))
+
+    def bounding_box(self) -> tuple[float, float, float, float]:
+        """Return (left, bottom, right, top) from the arc's extreme points themselves, not from samples.
+
+        >>> Piece("ellipse", (0, 3), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), 0.0, 0.0).bounding_box()
+        (-1.0, 0.0, 1.0, 1.0)
+        """
+        sides = []
+        for axis in (0, 1):
+            values = [self.start[axis], self.end[axis]]
+            if self.kind != "segment":
+                a, b, c = (vector[axis] for vector in self.legs)
+                values += [float(self.point(r / (1 + r))[axis]) for r in _positive_roots(a, c, b)]
+            sides.append((min(values), max(values)))
+        return sides[0][0], sides[1][0], sides[0][1], sides[1][1]
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the piece as plain lists and numbers, as in the JSON of a spline.
+
+        >>> Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 0.0)).to_json()["points"]
+        [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]
+        """
+        middle = self.control_point
+        return {
+            "kind": self.kind,
+            "interval": _floats(self.interval),
+            "points": [_floats(self.start), None if middle is None else _floats(middle), _floats(self.end)],
+            "middle": _floats(self.middle),
+            "weight": float(self.weight),
+            "error": float(self.error),
+        }
+
+
+def combine(u: Floats, w: Floats | float, p0: Floats, p2: Floats, a: Floats, b: Floats, c: Floats) -> Floats:
+    """Evaluate conic arcs from their nearer end, so that a distant origin costs no figures.
+
+    Args:
+        u: parameters in [0, 1], with a last axis of length 1.
+        w: weights, broadcast against u.
+        p0: first end points, last axis of length 2 as of all that follow.
+        p2: last end points.
+        a: vectors A = M − wP₀.
+        b: vectors B = wP₂ − M.
+        c: vectors C = P₂ − P₀.
+
+    Returns:
+        The points X(u), with a last axis of length 2.
+    """
+    v = 1 - u
+    product = 2 * u * v
+    total = (v - u) ** 2 + (1 + w) * product  # = b₀ + w b₁ + b₂, without cancellation as w nears −1
+    from_start = p0 + (product * a + u * u * c) / total
+    from_end = p2 - (product * b + v * v * c) / total
+    return np.where(u <= 0.5, from_start, from_end)
+
+
+def _positive_roots(a: float, b: float, c: float) -> list[float]:
+    """Return the positive roots r of a + br + cr² = 0, each computed without cancellation."""
+    size = max(abs(a), abs(b), abs(c))
+    if size == 0:
+        return []
+    a, b, c = a / size, b / size, c / size
+    discriminant = b * b - 4 * a * c
+    if discriminant < 0:
+        return []
+    q = -(b + math.copysign(math.sqrt(discriminant), b)) / 2
+    roots = [a / q if q else 0.0, q / c if c else 0.0]
+    return [r for r in roots if 0 < r < math.inf]
+
+
+def _floats(values: tuple[float, float]) -> list[float]:
+    return [float(value) for value in values]

@@ -1,0 +1,309 @@
+"""Splines of conic arcs: the result of an approximation, to be evaluated, written, drawn."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+import numpy as np
+
+from osculant.cas.errors import DomainError, OsculantError
+from osculant.files import write_whole
+from osculant.pieces import Kind, Piece, combine
+
+if TYPE_CHECKING:
+    import os
+
+    from numpy.typing import ArrayLike
+
+    from osculant.pieces import Floats
+
+__all__ = ["Kind", "Piece", "Spline"]
+
+
+class CurveText(Protocol):
+    """A curve as far as a spline needs it: something with a formula."""
+
+    @property
+    def text(self) -> str:
+        """The formula."""
+
+
+class Prediction(Protocol):
+    """What theory says about the number of pieces."""
+
+    @property
+    def predicted(self) -> float:
+        """The real number of the asymptotic formula."""
+
+    @property
+    def predicted_pieces(self) -> int:
+        """The sum of its ceilings over the stretches."""
+
+
+@dataclass(frozen=True, repr=False)
+class Spline:
+    """A tangent-continuous chain of pieces that stands for a curve within a tolerance.
+
+    Attributes:
+        curve: the curve approximated.
+        primitive: "parabola" or "conic".
+        metric: "hausdorff".
+        tolerance: the largest error allowed.
+        pieces: the pieces in order; each starts where the one before ends.
+        minimal: whether no spline of this primitive with a knot at every split has fewer pieces: "proved",
+            "by theory" (no check of its hypotheses beyond the isolation of special points) or "unknown".
+        undecided: parameters of knots where it could not be decided whether theory demands a split.
+        splits: parameters inside the interval where theory, or the user, demanded a knot.
+        complexity: called at most once, when `predicted` or `predicted_pieces` is first asked for.
+
+    >>> pieces = (
+    ...     Piece("parabola", (0.0, 1.0), (0.0, 0.0), (1.0, 1.0), (0.5, 0.0), 1.0, 1e-3),
+    ...     Piece.segment((1.0, 2.0), (1.0, 1.0), (2.0, 3.0)),
+    ... )
+    >>> from types import SimpleNamespace
+    >>> spline = Spline(SimpleNamespace(text="t, t**2"), "parabola", "hausdorff", 0.1, pieces, "unknown")
+    >>> len(spline), spline.knots, spline.error, spline.error_kind
+    (2, [0.0, 1.0, 2.0], 0.001, 'estimate')
+    >>> spline.evaluate([0.5, 1.5]).tolist()
+    [[0.5, 0.25], [1.5, 2.0]]
+    """
+
+    curve: CurveText = field(compare=False)
+    primitive: str
+    metric: str
+    tolerance: float
+    pieces: tuple[Piece, ...]
+    minimal: Literal["proved", "by theory", "unknown"]
+    undecided: tuple[float, ...] = ()
+    splits: tuple[float, ...] = ()
+    complexity: Callable[[], Prediction] | None = field(default=None, compare=False)
+
+    def __len__(self) -> int:
+        """Return the number of pieces."""
+        return len(self.pieces)
+
+    def __repr__(self) -> str:
+        return (
+            f"<Spline of {self.curve.text}: {self.primitive}, {len(self)} pieces, "
+            f"error {self.error:.6g}, tolerance {self.tolerance:.6g}>"
+        )
+
+    @property
+    def knots(self) -> list[float]:
+        """The parameters where pieces begin and end, one more than there are pieces."""
+        return [float(self.pieces[0].interval[0]), *(float(piece.interval[1]) for piece in self.pieces)]
+
+    @property
+    def errors(self) -> list[float]:
+        """The error of each piece."""
+        return [float(piece.error) for piece in self.pieces]
+
+    @property
+    def error(self) -> float:
+        """The largest error of a piece."""
+        return max(self.errors)
+
+    @property
+    def error_kind(self) -> Literal["estimate", "exact"]:
+        """The word "exact" if every piece is a part of the curve itself, else "estimate"."""
+        return "estimate" if self.error > 0 else "exact"
+
+    @property
+    def predicted(self) -> float | None:
+        """The number of pieces that theory predicts, as a real number; None without a complexity."""
+        return None if self._prediction is None else self._prediction.predicted
+
+    @property
+    def predicted_pieces(self) -> int | None:
+        """The same in whole pieces, rounded up on each stretch; None without a complexity."""
+        return None if self._prediction is None else self._prediction.predicted_pieces
+
+    @cached_property
+    def _prediction(self) -> Prediction | None:
+        return None if self.complexity is None else self.complexity()
+
+    @cached_property
+    def _table(self) -> tuple[Floats, ...]:
+        """Knots (N+1,), weights (N, 1), and P₀, P₂, A, B, C, each (N, 2)."""
+        weights = np.array([[piece.weight] for piece in self.pieces])
+        rows = [(piece.start, piece.end, *piece.legs) for piece in self.pieces]
+        return np.array(self.knots), weights, *np.moveaxis(np.array(rows, dtype=np.float64), 1, 0)
+
+    def evaluate(self, t: ArrayLike) -> Floats:
+        """Return the spline's points at parameters of the curve.
+
+        Within a piece the conic's own parameter is the affine fraction of the piece's interval. So the result
+        is on the spline, but in general not the foot of the curve's point at t; it may be farther from that
+        than the error.
+
+        Args:
+            t: parameters from the first knot to the last, an array of shape (m,), or of any other.
+
+        Returns:
+            Points of shape (m, 2): t's shape with a last axis of length 2.
+
+        Raises:
+            DomainError: a parameter outside.
+        """
+        t = np.asarray(t, dtype=np.float64)
+        knots, weights, *vectors = self._table
+        outside = ~((t >= knots[0]) & (t <= knots[-1]))
+        if outside.any():
+            raise DomainError(
+                f"The spline has no point at t = {float(t[outside].flat[0])!r}; "
+                f"its parameters go from {knots[0].item()!r} to {knots[-1].item()!r}."
+            )
+        i = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(self) - 1)
+        u = (t - knots[i]) / (knots[i + 1] - knots[i])
+        return combine(u[..., None], weights[i], *(vector[i] for vector in vectors))
+
+    def sample(self, n: int) -> Floats:
+        """Return n >= 2 points on each piece, as `Piece.sample`, knots once; shape (N(n−1)+1, 2)."""
+        _, weights, *vectors = self._table
+        u = np.linspace(0.0, 1.0, n)[None, 1:, None]
+        points = combine(u, weights[:, None], *(vector[:, None] for vector in vectors))
+        return np.concatenate([np.array([self.pieces[0].start]), points.reshape(-1, 2)])
+
+    def bounding_box(self) -> tuple[float, float, float, float]:
+        """Return (left, bottom, right, top) of the pieces, from the extreme points themselves."""
+        boxes = [piece.bounding_box() for piece in self.pieces]
+        left, bottom, right, top = zip(*boxes)
+        return min(left), min(bottom), max(right), max(top)
+
+    def max_tangent_jump(self) -> float:
+        """Return the largest angle in radians between the tangent lines of consecutive pieces at their knot.
+
+        Lines have no direction: a cusp, where the tangent is reversed, counts as continuous here, and is
+        listed by `cusps`.
+        """
+        return max((math.atan2(abs(cross), abs(dot)) for _, cross, dot in self._turns()), default=0.0)
+
+    @property
+    def cusps(self) -> list[float]:
+        """The knots where the direction of the tangent is reversed."""
+        return [knot for knot, _, dot in self._turns() if dot < 0]
+
+    def _turns(self) -> list[tuple[float, float, float]]:
+        """Return each inner knot with the sine and cosine of the tangent's angle there."""
+        result = []
+        for before, after in zip(self.pieces, self.pieces[1:]):
+            (ax, ay), (bx, by) = before.tangent(1.0).tolist(), after.tangent(0.0).tolist()
+            result.append((float(after.interval[0]), ax * by - ay * bx, ax * bx + ay * by))
+        return result
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the spline as plain dictionaries, lists and numbers.
+
+        Keys: "primitive", "metric", "tolerance", "pieces" (their number), "knots", "error", "error_kind",
+        "errors", "predicted", "predicted_pieces" (null where unknown or not finite), "minimal", "undecided",
+        "segments" (the pieces: "kind", "interval", "points" with null for a control point at infinity,
+        "weight", "error", and "middle", the homogeneous control point), "certificate" (null: none was asked
+        for); further "curve" (the formula), "splits" and "cusps" (parameters).
+        """
+        predicted = self.predicted
+        finite = predicted is not None and math.isfinite(predicted)
+        return {
+            "curve": self.curve.text,
+            "primitive": self.primitive,
+            "metric": self.metric,
+            "tolerance": float(self.tolerance),
+            "pieces": len(self),
+            "knots": self.knots,
+            "error": self.error,
+            "error_kind": self.error_kind,
+            "errors": self.errors,
+            "predicted": predicted if finite else None,
+            "predicted_pieces": self.predicted_pieces if finite else None,
+            "minimal": self.minimal,
+            "undecided": list(map(float, self.undecided)),
+            "splits": list(map(float, self.splits)),
+            "cusps": self.cusps,
+            "segments": [piece.to_json() for piece in self.pieces],
+            "certificate": None,
+        }
+
+    def write(
+        self, path: str | os.PathLike[str], *, reserve: float | None = None, command: str | None = None
+    ) -> None:
+        """Write the spline to a file, whole or not at all; its suffix says how.
+
+        Args:
+            path: ".svg" writes a picture (`osculant.svg`), ".json" what `to_json` returns.
+            reserve: how far what is written may be from the pieces; by default as `osculant.svg` says. JSON
+                holds every number exactly.
+            command: the command line that made the spline, recorded in a picture's description.
+
+        Raises:
+            OsculantError: an unknown suffix, or a file that cannot be written.
+            ToleranceError: a reserve too small for the digits.
+
+        >>> Spline.write(None, "spiral.png")
+        Traceback (most recent call last):
+        ...
+        osculant.cas.errors.OsculantError: Cannot write spiral.png: the known suffixes are .svg and .json;
+        plot() makes pictures of other kinds.
+        """
+        from osculant.svg import svg
+
+        suffix = Path(path).suffix.lower()
+        if suffix == ".svg":
+            write_whole(path, svg(self, reserve=reserve, command=command))
+        elif suffix == ".json":
+            write_whole(path, json.dumps(self.to_json(), indent=1, allow_nan=False) + "\n")
+        else:
+            raise OsculantError(
+                f"Cannot write {Path(path)}: the known suffixes are .svg and .json; "
+                "plot() makes pictures of other kinds."
+            )
+
+    def plot(self, path: str | os.PathLike[str] | None = None, axes: Any = None) -> Any:
+        """Draw the pieces in alternating colours with the knots marked, by means of matplotlib.
+
+        Args:
+            path: a file to draw to, of any kind that matplotlib knows by its suffix.
+            axes: matplotlib axes to draw in; new ones by default.
+
+        Returns:
+            The axes.
+
+        Raises:
+            OsculantError: matplotlib is not installed, or does not know the suffix, or cannot write the file.
+        """
+        try:
+            from matplotlib.figure import Figure
+        except ImportError as error:
+            raise OsculantError(
+                "Drawing needs matplotlib, which is not installed; `pip install osculant[plot]` adds it."
+            ) from error
+        if axes is None and path is None:
+            import matplotlib.pyplot as plt
+
+            axes = plt.subplots(layout="constrained")[1]
+        elif axes is None:
+            axes = Figure(layout="constrained").subplots()  # no window, no global state
+        points = self.sample(_DRAWN_POINTS)
+        for i in range(len(self)):
+            part = points[i * (_DRAWN_POINTS - 1) : (i + 1) * (_DRAWN_POINTS - 1) + 1]
+            axes.plot(part[:, 0], part[:, 1], color=("tab:blue", "tab:orange")[i % 2], linewidth=1.5)
+        knots = points[:: _DRAWN_POINTS - 1]
+        axes.plot(knots[:, 0], knots[:, 1], "k.", markersize=4)
+        axes.set_aspect("equal", adjustable="datalim")
+        axes.set_title(f"{self.curve.text}\n{len(self)} pieces ({self.primitive}), error {self.error:.3g}")
+        if path is not None:
+            picture = io.BytesIO()
+            try:
+                axes.figure.savefig(picture, format=Path(path).suffix[1:].lower() or "png")
+            except ValueError as error:
+                raise OsculantError(f"Cannot draw to {Path(path)}: {error}.") from error
+            write_whole(path, picture.getvalue())
+        return axes
+
+
+_DRAWN_POINTS = 65  # on each piece of a plot
