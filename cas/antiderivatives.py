@@ -43,7 +43,7 @@ def _term(term: sympy.Expr, t: sympy.Symbol) -> sympy.Expr | None:
     factor, rest = term.as_independent(t, as_Add=False)
     if rest.is_polynomial(t):
         return factor * sympy.integrate(rest, t)
-    if rest.func in _TABLE and sympy.degree(rest.args[0], t) == 1 and rest.args[0].is_polynomial(t):
+    if rest.func in _TABLE and rest.args[0].is_polynomial(t) and sympy.degree(rest.args[0], t) == 1:
         return factor * _TABLE[rest.func](rest.args[0]) / sympy.diff(rest.args[0], t)
     if rest.is_Pow and rest.base.is_polynomial(t):
         part = _power_of_quadratic(sympy.Poly(rest.base, t), rest.exp)

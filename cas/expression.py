@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 Result = TypeVar("Result")
 BITS = 4096
-TEXT_LIMIT = 1_000_000
+TEXT_LIMIT = 200_000
 
 _CIRCULAR = {"sin", "cos", "tan", "asin", "acos", "atan"}
 FUNCTIONS = frozenset(_CIRCULAR | {name + "h" for name in _CIRCULAR} | {"exp", "log", "sqrt", "cbrt", "abs"})

@@ -11,10 +11,13 @@ import sympy
 from flint import fmpq
 
 from osculant.cas.differential_field import Element, Field
+from osculant.cas.errors import UndecidedError
 from osculant.cas.sympy_bridge import cbrt
 
 #: terms and total degree beyond which a polynomial is not factored
 FACTOR_TERMS, FACTOR_DEGREE = 150, 60
+#: terms of a sum in a sympy expression, which is slow to make and long to read
+PRINTED_TERMS = 80
 #: a polynomial is expanded if that leaves less than this share of the factored form's operations
 EXPANDED = 0.75
 #: primes that are taken out of a number's root
@@ -26,7 +29,8 @@ Factors = list[tuple[Any, int]]
 def expression(element: Element) -> sympy.Expr:
     """The sympy expression: one rational number, and above and below the line primitive polynomials.
 
-    Each polynomial is factored, or expanded where that is clearly shorter.
+    Each polynomial is factored, or expanded where that is clearly shorter. UndecidedError if a sum has more
+    than `PRINTED_TERMS` terms.
 
     >>> field = Field()
     >>> t = field.generator(sympy.Symbol("t", real=True))
@@ -96,7 +100,7 @@ def _shortest(field: Field, polynomial: Any) -> tuple[sympy.Expr, sympy.Expr]:
     content, factors = _factors(field, polynomial)
     number = sympy.Rational(int(content.p), int(content.q))
     product = sympy.Mul(*(base**exponent for base, exponent in _merged(field, factors)))
-    if number == 0:
+    if number == 0 or len(polynomial) > PRINTED_TERMS:
         return number, product
     expanded = _plain(field, polynomial / content)
     return number, expanded if expanded.count_ops() < EXPANDED * product.count_ops() else product
@@ -156,7 +160,9 @@ def _places(parts: list[Any], factors: list[Any]) -> list[int | None]:
 
 
 def _plain(field: Field, polynomial: Any) -> sympy.Expr:
-    """The sympy expression of a polynomial, expanded."""
+    """The sympy expression of a polynomial, expanded; UndecidedError for one that nobody would read."""
+    if len(polynomial) > PRINTED_TERMS:
+        raise UndecidedError(f"An expression has more than {PRINTED_TERMS} terms.")
     symbols = [generator.symbol for generator in field.generators]
     terms: Iterable[sympy.Expr] = (
         sympy.Rational(int(c.p), int(c.q)) * prod(s**e for s, e in zip(symbols, m) if e)

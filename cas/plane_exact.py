@@ -146,17 +146,17 @@ class ExactInvariants(Mapping[str, Value]):
 
         Vectors are "(…, …)"; "undefined" stands for what does not exist.
         """
-        return self._written(name, _text)
+        return self._written(name, _text, "({}, {})")
 
     def latex(self, name: str) -> str:
-        """An invariant as LaTeX."""
-        return self._written(name, sympy.latex)
+        """An invariant as LaTeX, in the manner of `text`."""
+        return self._written(name, sympy.latex, r"\left({}, {}\right)")
 
-    def _written(self, name: str, write: Callable[[sympy.Expr], str]) -> str:
+    def _written(self, name: str, write: Callable[[sympy.Expr], str], pair: str) -> str:
         value = self[name]
         if value is None:
             return "undefined"
-        return f"({', '.join(map(write, value))})" if isinstance(value, tuple) else write(value)
+        return pair.format(*map(write, value)) if isinstance(value, tuple) else write(value)
 
 
 def _jet(x: Node, y: Node, variable: str) -> PlaneJet:

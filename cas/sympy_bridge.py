@@ -64,8 +64,9 @@ class cbrt(sympy.Function):  # type: ignore[misc]  # sympy's own naming of funct
         return root if exp is None else rf"\left({root}\right)^{{{exp}}}"
 
     def _mpmathcode(self, printer: Any) -> str:
+        sign, root = (printer._module_format(f"mpmath.{name}") for name in ("sign", "cbrt"))
         x = printer._print(self.args[0])
-        return f"(mpmath.sign({x})*mpmath.cbrt(abs({x})))"
+        return f"({sign}({x})*{root}(abs({x})))"
 
 
 _FUNCTIONS = {name: getattr(sympy, name) for name in ex.FUNCTIONS - {"abs", "cbrt", "sqrt"}} | {
@@ -102,16 +103,18 @@ def to_sympy(node: Node, symbols: Mapping[str, sympy.Expr] | None = None) -> sym
             case "neg":
                 result = -args[0]
             case "pow":
+                base, exponent = node.args[0], node.value
                 if (
-                    node.args[0].kind == "number"
-                    and args[0].p.bit_length() + args[0].q.bit_length() > ROOT_BITS
+                    base.kind == "number"
+                    and sum(map(int.bit_length, base.value.as_integer_ratio())) > ROOT_BITS
                 ):
-                    raise FormulaError(
-                        f"The root of a number of over {ROOT_BITS} bits is too hard for sympy."
-                    )
-                result = args[0] ** sympy.Rational(node.value.numerator, node.value.denominator)
+                    raise FormulaError(f"A root of a number of over {ROOT_BITS} bits is too hard for sympy.")
+                result = args[0] ** sympy.Rational(exponent.numerator, exponent.denominator)
             case _:
                 result = _FUNCTIONS[node.value](args[0])
+                # Of |exp(x)| sympy makes exp(re(x)) if it cannot tell that x is real.
+                if node.value == "abs" and result.has(sympy.re, sympy.im, sympy.arg):
+                    result = sympy.Abs(args[0], evaluate=False)
         if result in _INFINITE:
             raise DomainError("The expression is nowhere finite: it divides by zero, or takes its logarithm.")
         if result.is_number and not result.is_Rational:

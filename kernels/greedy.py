@@ -18,7 +18,7 @@ from osculant.kernels.curve import JET_SIZE, Frame, Place, sample
 from osculant.kernels.exchange import PARABOLA, Peaks, exchange, first_peaks
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
-from osculant.kernels.scan import GRID, VIEW_SIZE, measure, minimax
+from osculant.kernels.scan import GRID, ROW_SIZE, ROWS, measure, minimax
 
 #: why an arc ends where it does
 ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT = 0, 1, 2
@@ -92,13 +92,13 @@ def quick_arc(
 @kernel
 def careful_arc(
     primitive: int, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, start: Frame,
-    stop: float, last: Frame, length: float, low: float, high: float, views: np.ndarray[Any, Any],
+    stop: float, last: Frame, length: float, low: float, high: float, rows: np.ndarray[Any, Any],
 ) -> tuple[float, float, int]:  # fmt: skip
     """(b, Q, reason) of the longest arc with error at most ``high``, by a bracketed search.
 
     Q is NaN if not even the shortest arc can be approximated.
     """
-    error, q = minimax(primitive, address, place, jet, a, start, stop, last, views)
+    error, q = minimax(primitive, address, place, jet, a, start, stop, last, rows)
     if error <= high:
         return stop, q, ENDS_AT_STRETCH
     aim = AIM * low + (1.0 - AIM) * high
@@ -110,7 +110,7 @@ def careful_arc(
         if not (b > a and b < stop) or length <= good or length >= bad:
             break
         error, q = minimax(
-            primitive, address, place, jet, a, start, b, frame(address, place, jet, b), views
+            primitive, address, place, jet, a, start, b, frame(address, place, jet, b), rows
         )
         if error <= high:
             good, good_q, good_error = length, q, error
@@ -155,8 +155,7 @@ def spline(
     ends before ``stop`` if the table is full or if nothing can be found there.
     """
     jet = np.empty(JET_SIZE)
-    checks = np.empty((CHECKED, VIEW_SIZE))
-    views = np.empty((GRID, VIEW_SIZE))
+    rows = np.empty((ROWS, ROW_SIZE))
     peaks = first_peaks(primitive)
     careful = 0
     previous = math.nan
@@ -169,19 +168,19 @@ def spline(
         if found:
             end = frame_at(address, place, jet, b, stop, last)
             pen = pencil(start, end)
-            error = measure(pen, q, address, place, jet, a, b, checks)
+            error = measure(pen, q, address, place, jet, a, b, CHECKED, rows)
         if error <= high and (error >= low or b == stop):
             peaks = after
         else:
             careful += 1
             b, q, reason = careful_arc(
-                primitive, address, place, jet, a, start, stop, last, length, low, high, views
+                primitive, address, place, jet, a, start, stop, last, length, low, high, rows
             )
             if math.isnan(q):
                 return count, a, careful
             end = frame_at(address, place, jet, b, stop, last)
             pen = pencil(start, end)
-            error = measure(pen, q, address, place, jet, a, b, views)
+            error = measure(pen, q, address, place, jet, a, b, GRID, rows)
             peaks = first_peaks(primitive)
         record(table[count], a, b, q, error, reason, pen)
         if b == stop:

@@ -11,16 +11,22 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.bitangent import Pencil, displacement, is_proper, pencil, through, view, weight
+from osculant.kernels.bitangent import Pencil, View, displacement, is_proper, pencil, through, view, weight
 from osculant.kernels.curve import Frame, Place
 from osculant.kernels.exchange import PARABOLA
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 
-#: numbers of a `View`
-VIEW_SIZE = 11
-#: points of the grid on which `minimax` looks for peaks
-GRID = 40
+#: numbers of a row: a `View` and its parameter value
+ROW_SIZE = 12
+#: equidistant points that `minimax` begins with, and rows for them and for those put between
+GRID, ROWS = 40, 1024
+#: neighbouring samples whose tangents differ by more than this (its cosine) get one between them …
+LARGEST_TURN = math.cos(0.35)
+#: … and so do those at whose feet conic and curve differ by angles further apart (tangent of the angle)
+LARGEST_LEAN = 0.5
+#: intervals are cut in two at most this often, one within the other, and in all
+DEPTH, CUTS = 24, 400
 #: visits of one peak at most, and the relative correction of its height that ends them
 VISITS, SETTLED = 8, 1e-7
 #: rounds of the search for Q, and its relative accuracy
@@ -29,21 +35,49 @@ ROUNDS, BALANCED = 80, 1e-12
 
 @kernel
 def look(
-    pen: Pencil, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float,
-    views: np.ndarray[Any, Any],
-) -> None:  # fmt: skip
-    """Views of the arc at as many equidistant inner points as ``views`` (n, `VIEW_SIZE`) has rows."""
-    n = views.shape[0]
-    for i in range(n):
-        seen = view(pen, address, place, jet, a + (b - a) * (i + 1) / (n + 1))
-        for j, value in enumerate(seen):
-            views[i, j] = value
+    pen: Pencil, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float, points: int,
+    rows: np.ndarray[Any, Any],
+) -> int:  # fmt: skip
+    """Views of the arc at ``points`` equidistant inner points, and between where the curve turns a lot.
+
+    Fills ``rows`` (capacity, `ROW_SIZE`) in the order of the curve and returns how many; −1 if the capacity
+    does not suffice.
+    """
+    count = 0
+    cosine, sine = 1.0, 0.0  # of the angle from T₀ to the tangent of the last row
+    before = a
+    pending = np.empty(DEPTH)
+    for i in range(1, points + 2):
+        pending[0] = b if i == points + 1 else a + (b - a) * i / (points + 1)
+        open_ends = 1
+        while open_ends > 0:
+            t = pending[open_ends - 1]
+            if t == b:
+                cosine_here, sine_here = pen[2] * pen[6] + pen[3] * pen[7], pen[13]
+            else:
+                if count == rows.shape[0]:
+                    return -1
+                seen = view(pen, address, place, jet, t)
+                cosine_here, sine_here = seen[5], seen[8]
+            turn = cosine * cosine_here + sine * sine_here
+            if turn < LARGEST_TURN and open_ends < DEPTH:
+                pending[open_ends] = 0.5 * (before + t)
+                open_ends += 1
+                continue
+            if t != b:
+                for j, value in enumerate(seen):
+                    rows[count, j] = value
+                rows[count, ROW_SIZE - 1] = t
+                count += 1
+            before, cosine, sine = t, cosine_here, sine_here
+            open_ends -= 1
+    return count
 
 
 @kernel
-def at_row(views: np.ndarray[Any, Any], i: int) -> tuple[float, ...]:
-    """Row i of ``views`` as a `View`."""
-    v = views[i]
+def at_row(rows: np.ndarray[Any, Any], i: int) -> View:
+    """Row i of ``rows`` as a `View`."""
+    v = rows[i]
     return v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10]
 
 
@@ -86,58 +120,124 @@ def height(
 
 
 @kernel
+def lean(slope: float, d: float, seen: View) -> float:
+    """The tangent of the angle between the curve and the conic at the foot."""
+    return slope / (seen[9] * (1.0 - seen[10] * d))
+
+
+@kernel
+def apart(lean0: float, lean1: float) -> bool:
+    """Whether two leans, given by their tangents, differ by more than `LARGEST_LEAN`."""
+    return not abs(lean1 - lean0) <= LARGEST_LEAN * (1.0 + lean0 * lean1)
+
+
+@kernel
+def peak_inside(
+    pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], t0: float, d0: float,
+    s0: float, t1: float, d1: float, s1: float,
+) -> float:  # fmt: skip
+    """d at the peak between two samples (value, slope); ends of the arc count as d = d′ = 0, 0 if there is no peak."""
+    h = t1 - t0
+    grows_in = d0 == 0.0 or s0 * d0 > 0.0  # |d| grows into the interval from the left …
+    grows_out = d1 == 0.0 or s1 * d1 < 0.0  # … and from the right
+    if not ((grows_in and grows_out) or (d0 * d1 < 0.0 and (grows_in or grows_out))):
+        return 0.0
+    u, bend = cubic_peak(d0, s0 * h, d1, s1 * h)
+    return height(pen, q, address, place, jet, t0, t1, t0 + u * h, bend / (h * h))
+
+
+@kernel
+def extremes_between(
+    pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], t0: float, d0: float,
+    s0: float, l0: float, t1: float, d1: float, s1: float, l1: float,
+) -> tuple[float, float]:  # fmt: skip
+    """(max d, min d) between two samples that are too far apart to trust: cut until they are not."""
+    top, bottom = max(d0, 0.0), min(d0, 0.0)
+    pending = np.empty((DEPTH, 4))
+    pending[0, 0], pending[0, 1], pending[0, 2], pending[0, 3] = t1, d1, s1, l1
+    open_ends, cuts = 1, 0
+    while open_ends > 0:
+        row = pending[open_ends - 1]
+        t, d, s, leaning = row[0], row[1], row[2], row[3]
+        both = d0 * d < 0.0 and s0 * d0 > 0.0 and s * d < 0.0
+        if (both or apart(l0, leaning)) and open_ends < DEPTH:
+            cuts += 1
+            if cuts > CUTS:
+                return math.nan, math.nan
+            middle = 0.5 * (t0 + t)
+            seen = view(pen, address, place, jet, middle)
+            value, _, slope = displacement(q, seen)
+            if not math.isfinite(value):
+                return math.nan, math.nan
+            new = pending[open_ends]
+            new[0], new[1], new[2], new[3] = middle, value, slope, lean(slope, value, seen)
+            open_ends += 1
+            continue
+        value = peak_inside(pen, q, address, place, jet, t0, d0, s0, t, d, s)
+        if math.isnan(value):
+            return math.nan, math.nan
+        top, bottom = max(top, value, d), min(bottom, value, d)
+        t0, d0, s0, l0 = t, d, s, leaning
+        open_ends -= 1
+    return top, bottom
+
+
+@kernel
 def extremes(
     pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float,
-    views: np.ndarray[Any, Any],
+    rows: np.ndarray[Any, Any], count: int,
 ) -> tuple[float, float]:  # fmt: skip
-    """(max d, min d) of the member Q over the arc seen in ``views``; NaN if a normal misses its arc.
+    """(max d, min d) of the member Q over the arc seen in ``rows``; NaN if a normal misses its arc.
 
     Every interval between neighbouring samples in which |d| must have a peak is searched.
     """
-    n = views.shape[0]
-    h = (b - a) / (n + 1)
     top, bottom = 0.0, 0.0
-    d0, s0 = 0.0, 0.0
-    for i in range(n + 1):
-        d1, s1 = 0.0, 0.0
-        if i < n:
-            d1, _, slope = displacement(q, at_row(views, i))
-            s1 = slope * h
+    t0, d0, s0, l0 = a, 0.0, 0.0, 0.0
+    for i in range(count + 1):
+        t1, d1, s1, l1 = b, 0.0, 0.0, 0.0
+        if i < count:
+            seen = at_row(rows, i)
+            t1 = rows[i, ROW_SIZE - 1]
+            d1, _, s1 = displacement(q, seen)
             if not math.isfinite(d1):
                 return math.nan, math.nan
+            l1 = lean(s1, d1, seen)
             top, bottom = max(top, d1), min(bottom, d1)
-        grows_in = i == 0 or s0 * d0 > 0.0  # |d| grows into the interval from the left …
-        grows_out = i == n or s1 * d1 < 0.0  # … and from the right
-        if (grows_in and grows_out) or (d0 * d1 < 0.0 and (grows_in or grows_out)):
-            u, bend = cubic_peak(d0, s0, d1, s1)
-            low = a + i * h
-            value = height(pen, q, address, place, jet, low, low + h, low + u * h, bend / (h * h))
+        if apart(l0, l1) or (d0 * d1 < 0.0 and s0 * d0 > 0.0 and s1 * d1 < 0.0):
+            above, below = extremes_between(pen, q, address, place, jet, t0, d0, s0, l0, t1, d1, s1, l1)
+            if math.isnan(above):
+                return math.nan, math.nan
+            top, bottom = max(top, above), min(bottom, below)
+        else:
+            value = peak_inside(pen, q, address, place, jet, t0, d0, s0, t1, d1, s1)
             if math.isnan(value):
                 return math.nan, math.nan
             top, bottom = max(top, value), min(bottom, value)
-        d0, s0 = d1, s1
+        t0, d0, s0, l0 = t1, d1, s1, l1
     return top, bottom
 
 
 @kernel
 def measure(
     pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float,
-    views: np.ndarray[Any, Any],
+    points: int, rows: np.ndarray[Any, Any],
 ) -> float:  # fmt: skip
-    """max |d| of the member Q over [a, b]; infinite if a normal of the curve misses its arc.
+    """max |d| of the member Q over [a, b], from ``points`` samples or more; infinite if a normal misses its arc.
 
     An upper bound of the Hausdorff distance as far as the peaks between the samples have been found:
     an estimate, not a certificate.
     """
-    look(pen, address, place, jet, a, b, views)
-    top, bottom = extremes(pen, q, address, place, jet, a, b, views)
+    count = look(pen, address, place, jet, a, b, points, rows)
+    if count < 0:
+        return math.inf
+    top, bottom = extremes(pen, q, address, place, jet, a, b, rows, count)
     return math.inf if math.isnan(top) else max(top, -bottom)
 
 
 @kernel
 def minimax(
     primitive: int, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, start: Frame,
-    b: float, end: Frame, views: np.ndarray[Any, Any],
+    b: float, end: Frame, rows: np.ndarray[Any, Any],
 ) -> tuple[float, float]:  # fmt: skip
     """(error, Q) of the best conic, or of the parabola, of the arc [a, b]; error infinite if none.
 
@@ -147,26 +247,28 @@ def minimax(
     pen = pencil(start, end)
     if not is_proper(pen):
         return math.inf, math.nan
-    look(pen, address, place, jet, a, b, views)
+    count = look(pen, address, place, jet, a, b, GRID, rows)
+    if count < 0:
+        return math.inf, math.nan
     if primitive == PARABOLA:
         if not pen[13] > 0.0:
             return math.inf, math.nan
         q = generated.parabola(pen[11], pen[12], pen[13])
-        top, bottom = extremes(pen, q, address, place, jet, a, b, views)
+        top, bottom = extremes(pen, q, address, place, jet, a, b, rows, count)
         return (math.inf if math.isnan(top) else max(top, -bottom)), q
     low, high = math.inf, 0.0
-    for i in range(views.shape[0]):
-        q = through(at_row(views, i))
+    for i in range(count):
+        q = through(at_row(rows, i))
         if math.isnan(q):
             return math.inf, math.nan
         low, high = min(low, q), max(high, q)
-    return balanced(pen, address, place, jet, a, b, views, low, high)
+    return balanced(pen, address, place, jet, a, b, rows, count, low, high)
 
 
 @kernel
 def balanced(
     pen: Pencil, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float,
-    views: np.ndarray[Any, Any], low: float, high: float,
+    rows: np.ndarray[Any, Any], count: int, low: float, high: float,
 ) -> tuple[float, float]:  # fmt: skip
     """(error, Q) with max d = −min d, Q in [low, high]: false position, bisection where it is slow."""
     excess_low, excess_high = math.nan, math.nan
@@ -178,7 +280,7 @@ def balanced(
         if not weight(pen, q) > -1.0:  # an unbounded arc: w < 0 falls with Q
             high, excess_high, error = q, math.nan, math.inf
             continue
-        top, bottom = extremes(pen, q, address, place, jet, a, b, views)
+        top, bottom = extremes(pen, q, address, place, jet, a, b, rows, count)
         if math.isnan(top):
             return math.inf, q
         excess, error = top + bottom, max(top, -bottom)

@@ -142,7 +142,7 @@ class Fitting:
     def _exact_pieces(self, stretch: Stretch) -> list[Piece]:
         """The least number of arcs turning less than π each, of equal affine length, of a conic itself."""
         address, place = self.curve.compiled.address, self._place(stretch)
-        jet, views = np.empty(JET_SIZE), np.empty((scan.GRID, scan.VIEW_SIZE))
+        jet, rows = np.empty(JET_SIZE), np.empty((scan.ROWS, scan.ROW_SIZE))
         knots = self._equal_affine_lengths(stretch)
         frames = [greedy.frame(address, place, jet, t) for t in knots[1:-1]]
         frames = [self._local(stretch.start, stretch.bend), *frames, self._local(stretch.end, stretch.bend)]
@@ -151,7 +151,7 @@ class Fitting:
         for a, b, start, end in zip(knots, knots[1:], frames, frames[1:]):
             pencil = bitangent.pencil(start, end)
             q = bitangent.through(bitangent.view(pencil, address, place, jet, a + 0.4871 * (b - a)))
-            attained = scan.measure(pencil, q, address, place, jet, a, b, views) / self.scale
+            attained = scan.measure(pencil, q, address, place, jet, a, b, scan.GRID, rows) / self.scale
             if not attained <= self.tolerance:
                 raise UndecidedError(
                     f"The curve {self.curve.text} looks like a conic, but its own arc leaves it by {attained:.3g} between "

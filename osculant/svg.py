@@ -207,8 +207,11 @@ def _within(piece: Piece, conic: Ellipse, reserve: float) -> list[Command] | Non
     if amplification > LARGEST_AMPLIFICATION or noise > reserve / 2:
         return None
     relative = min(1e-3, reserve / (16 * gain))
-    turn = math.degrees(min(1.0, relative / skew) if skew > 0 else 1.0)
-    arc = ((major, relative * major), (minor, relative * minor), (math.degrees(conic.rotation), turn))
+    if relative > math.pi / 2 * skew:  # as good as a circle: any rotation will do
+        rotation, turn = 0.0, 1.0
+    else:
+        rotation, turn = math.degrees(conic.rotation), math.degrees(relative / skew)
+    arc = ((major, relative * major), (minor, relative * minor), (rotation, turn))
     return [Command("A", (end,), arc, conic.positive, amplification) for end in conic.ends]
 
 

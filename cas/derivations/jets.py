@@ -6,6 +6,8 @@ the derivation (v̇ = ⟨12⟩/v, φ̇ = [13]/(3φ²)) and by `equal`, which dec
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import sympy as sp
 
 ORDER = 7
@@ -34,7 +36,7 @@ def derivative(expression: sp.Expr) -> sp.Expr:
     """
     rates = {v: (x[1] * x[2] + y[1] * y[2]) / v, phi: (x[1] * y[3] - y[1] * x[3]) / (3 * phi**2)}
     for column in (x, y):
-        rates |= dict(zip(column[:-1], column[1:], strict=True))
+        rates |= dict(pairwise(column))
     return sp.Add(*(sp.diff(expression, s) * rates[s] for s in expression.free_symbols if s in rates))
 
 

@@ -1,13 +1,13 @@
-"""The jets' forms against the definitions, and the transformation laws; every proof rejects a wrong variant."""
+"""The jets' forms against the definitions, and the transformation laws; proofs reject wrong variants."""
 
 from __future__ import annotations
 
 import math
 from fractions import Fraction
+from itertools import pairwise
 from types import SimpleNamespace
 
 import mpmath
-import pytest
 import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
@@ -30,14 +30,12 @@ def test_the_affine_parameter_is_unimodular():
         assert equal(third[i], -affine.affine_curvature() * first[i])  # (2.5)
 
 
-def test_fourth_and_fifth_derivative_in_the_frame():
-    first, second, _, fourth, fifth = affine.by_affine_arc_length(5)
-    k = affine.affine_curvature()
-    slope = affine.affine_curvature_slope()
-    bend = derivative(slope) / phi
-    for i in range(2):  # (2.11)
-        assert equal(fourth[i], -slope * first[i] - k * second[i])
-        assert equal(fifth[i], (k**2 - bend) * first[i] - 2 * slope * second[i])
+def test_derivatives_in_the_frame():
+    r, (k, slope, bend) = affine.r, affine.k[:3]
+    first, second = affine.arc_in_frame(5)  # (2.11), divided by factorials
+    assert sp.expand(first - (r - k * r**3 / 6 - slope * r**4 / 24 + (k**2 - bend) * r**5 / 120)) == 0
+    assert sp.expand(second - (r**2 / 2 - k * r**4 / 24 - 2 * slope * r**5 / 120)) == 0
+    assert first.coeff(r, 5) != 0  # so the remainder printed in Lemma 2.2.2 should be O(r^5)
 
 
 def test_affine_frame_and_curvature():
@@ -130,7 +128,7 @@ def test_canonical_form_of_the_frame_of_a_graph():
 def _reparametrised(column, h, order):
     """Derivatives by u of α(t(u)), where h[i] is the i-th derivative of t."""
     result, current = [column[0]], column[0]
-    rates = dict(zip(column[:-1], column[1:], strict=True))
+    rates = dict(pairwise(column))
     for _ in range(order):
         inner = sum(sp.diff(current, c) * rates[c] for c in column[:-1]) * h[1]
         outer = sum(sp.diff(current, h[i]) * h[i + 1] for i in range(1, len(h) - 1))
@@ -163,7 +161,7 @@ def test_forms_under_linear_maps():
 
 
 def _conic_jet(a, b, c, d, e):
-    """The jet at the origin of ax² + 2bxy + cy² + 2dx + 2ey = 0 as a graph y(x), by implicit differentiation."""
+    """The jet at the origin of ax² + 2bxy + cy² + 2dx + 2ey = 0 as a graph, by comparing coefficients."""
     t = sp.Symbol("t")
     coefficients = sp.symbols("y1:6")
     graph = sum(c_i * t**i for i, c_i in enumerate(coefficients, 1))

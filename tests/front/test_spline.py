@@ -231,7 +231,7 @@ def test_plotting_without_matplotlib_says_what_to_install(arcs, monkeypatch):
 
 
 @given(st.floats(0.2, 5.5), st.floats(-9, -2), st.floats(0, 6))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=12, deadline=None)
 def test_the_oracle_measures_known_distances(angle, exponent, start):
     """A circle against arcs of a larger one, shifted: distances known in closed form."""
     gap = 10**exponent

@@ -21,7 +21,7 @@ from osculant.svg import path_data, svg, writing_reserve
 from tests.front.samples import circle, pieces, spline_of
 
 SVG = "{http://www.w3.org/2000/svg}"
-STEPS = [mpf(i) / 12 for i in range(13)]
+STEPS = [mpf(i) / 10 for i in range(11)]
 
 
 # --- an SVG reader of our own: https://www.w3.org/TR/SVG11/implnote.html#ArcImplementationNotes ---
@@ -86,11 +86,12 @@ def trace_arc(start, rx, ry, degrees, large, sweep, end):
 
 
 class Exact:
-    """A piece's conic as l₁² − 4l₀l₂ = 0 in exact enough arithmetic."""
+    """A piece in exact enough arithmetic."""
 
     def __init__(self, piece):
         w = mpf(piece.weight)
-        self.w, self.samples = w, piece.sample(1001)
+        self.w, self.graded = w, graded(piece.weight, 1001)
+        self.samples = piece.point(self.graded)
         self.p0, self.m, self.p2 = (tuple(map(mpf, p)) for p in (piece.start, piece.middle, piece.end))
         self.a, self.b, self.c = (
             tuple(second - first for first, second in zip(p, q))
@@ -101,63 +102,86 @@ class Exact:
             )
         )
 
-    def parameter(self, point):
-        """Return a parameter close to a point's foot, from the ratio of its distances to the end tangents."""
-        l2 = cross(self.a, minus(point, self.p0))
-        l0 = cross(self.b, minus(point, self.p2))
-        ratio = mpmath.sqrt(abs(l2 / l0)) if l0 else mpmath.inf
-        return ratio / (1 + ratio) if ratio != mpmath.inf else mpf(1)
-
     def point(self, u):
         b0, b1, b2 = (1 - u) ** 2, 2 * u * (1 - u), u**2
         w = b0 + self.w * b1 + b2
         return tuple((b0 * p + b1 * m + b2 * q) / w for p, m, q in zip(self.p0, self.m, self.p2))
 
-    def distance(self, point):
-        """Return the distance of a nearby point to the arc, by Gauss–Newton from two starts."""
-        gap = self.samples - np.array(point, dtype=float)
-        start = mpf(int(np.hypot(*gap.T).argmin())) / (len(gap) - 1)
-        return min(self.distance_from(point, u) for u in (start, self.parameter(point)))
+    def distance(self, point, allowed):
+        """Return the distance of a point to the arc, or a greater number if that is within what is allowed.
 
-    def distance_from(self, point, u):
-        """Return the least distance seen on the way to the foot."""
-        best = norm(minus(point, self.point(u)))
-        for _ in range(5):
-            here = self.point(u)
-            gap = minus(point, here)
-            best = min(best, norm(gap))
+        The starts are the nearest sample and the nearest of those apart from it: on a slim ellipse the
+        nearest one may be on the other side.
+        """
+        gaps = np.hypot(*(self.samples - np.array(point, dtype=float)).T)
+        nearest = int(gaps.argmin())
+        best = self.distance_from(point, nearest)
+        if best > allowed:
+            gaps[max(nearest - 50, 0) : nearest + 51] = np.inf
+            best = min(best, self.distance_from(point, int(gaps.argmin())))
+        return best
+
+    def distance_from(self, point, i):
+        """Return the distance to the arc near its i-th sample: by Gauss–Newton, else by golden section."""
+        u, best, settled = mpf(self.graded[i]), mpmath.inf, False
+        for _ in range(6):
+            gap = minus(point, self.point(u))
             w = (1 - u) ** 2 + self.w * 2 * u * (1 - u) + u**2
             legs = zip(self.a, self.b, self.c)
             speed = [2 * ((1 - u) ** 2 * a + u * (1 - u) * c + u**2 * b) / w**2 for a, b, c in legs]
-            step = (gap[0] * speed[0] + gap[1] * speed[1]) / (speed[0] ** 2 + speed[1] ** 2)
-            u = min(max(u + step, mpf(0)), mpf(1))
+            best = min(best, norm(gap))
+            next_u = u + (gap[0] * speed[0] + gap[1] * speed[1]) / (speed[0] ** 2 + speed[1] ** 2)
+            next_u = min(max(next_u, mpf(0)), mpf(1))
+            settled = abs(next_u - u) * norm(speed) <= 1e-5 * best
+            u = next_u
+        return best if settled else min(best, self.by_golden_section(point, i))
+
+    def by_golden_section(self, point, i):
+        """Return the same for points farther away than the radius of curvature."""
+        low, high = mpf(self.graded[max(i - 2, 0)]), mpf(self.graded[min(i + 2, len(self.graded) - 1)])
+        ratio = (mpmath.sqrt(5) - 1) / 2
+        best = mpmath.inf
+        for _ in range(40):
+            left, right = high - ratio * (high - low), low + ratio * (high - low)
+            at_left, at_right = (norm(minus(point, self.point(u))) for u in (left, right))
+            low, high = (low, right) if at_left < at_right else (left, high)
+            best = min(best, at_left, at_right)
         return best
+
+
+def graded(w, n):
+    """Return n parameters u from 0 to 1 at equal steps of the eccentric or hyperbolic angle."""
+    t = np.linspace(0, 1, n)
+    if abs(w - 1) < 1e-9:
+        return t
+    wave, angle = (np.sin, np.arccos(w)) if w < 1 else (np.sinh, np.arccosh(w))
+    before, after = wave(angle * t), wave(angle * (1 - t))
+    return before / (before + after)
 
 
 def minus(p, q):
     return mpf(p[0]) - q[0], mpf(p[1]) - q[1]
 
 
-def cross(v, w):
-    return v[0] * w[1] - v[1] * w[0]
-
-
 def norm(v):
     return mpmath.hypot(*v)
 
 
-def deviation(piece, commands):
-    """Return the largest distance of the commands' curve from a piece, after checking that it covers it."""
+def deviation(piece, commands, allowed=0.0):
+    """Return the largest distance of the commands' curve from a piece, after checking that it covers it.
+
+    What is within the distance allowed may be taken for greater than it is.
+    """
     with mpmath.workdps(50):
         exact = Exact(piece)
         traced = [trace(command) for command in commands]
         ends = norm(minus(traced[0][0], exact.p0)), norm(minus(traced[-1][-1], exact.p2))
         points = [point for part in traced for point in part]
-        distance = float(max(*ends, *(exact.distance(point) for point in points)))
+        distance = float(max(*ends, *(exact.distance(point, allowed) for point in points)))
     points = np.array(points, dtype=float)
     spacing = np.hypot(*np.diff(points, axis=0).T).max()
-    gaps = piece.sample(40)[:, None] - points[None]
-    assert np.hypot(gaps[..., 0], gaps[..., 1]).min(axis=1).max() <= spacing + distance
+    gaps = exact.samples[::25, None] - points[None]
+    assert np.hypot(gaps[..., 0], gaps[..., 1]).min(axis=1).max() <= 2 * (spacing + distance)
     return distance
 
 
@@ -200,8 +224,8 @@ def test_cubics_keep_their_budget(piece, exponent):
     for c1, c2, end in cubics(piece, budget):
         commands.append(("C", start, [*c1, *c2], end))
         start = end
-    assume(len(commands) <= 40)
-    assert deviation(piece, commands) <= budget + 4 * math.ulp(largest_coordinate(piece))
+    assume(len(commands) <= 20)
+    assert deviation(piece, commands, budget) <= budget + 4 * math.ulp(largest_coordinate(piece))
 
 
 @given(pieces(st.floats(0.2, 5)))
@@ -237,14 +261,14 @@ def test_the_ellipse_carries_the_arc(piece, halvings):
 
 
 @given(pieces(), st.one_of(st.none(), st.floats(-12, -1)))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_the_written_curve_stays_within_the_reserve(piece, exponent):
     floor = writing_reserve(0.0, largest_coordinate(piece))
     reserve = floor if exponent is None else max(floor, 10**exponent * size_of(piece))
     data, _ = path_data([piece], reserve)
     commands = read_path(data)
-    assume(len(commands) <= 40)
-    assert deviation(piece, commands) <= reserve
+    assume(len(commands) <= 20)
+    assert deviation(piece, commands, reserve) <= reserve
 
 
 @given(st.floats(0.01, 0.95), st.floats(-7, 0), st.floats(-9, -2), st.floats(0, 7))
@@ -257,7 +281,7 @@ def test_tiny_arcs_of_large_ellipses(slimness, turning, exponent, start):
     middle = np.array([math.cos(start + half), slimness * math.sin(start + half)])
     piece = Piece("ellipse", (0, 1), tuple(ends[0]), tuple(ends[1]), tuple(middle), w, 0.0)
     reserve = max(10**exponent * size_of(piece), writing_reserve(0, 1.0))
-    assert deviation(piece, read_path(path_data([piece], reserve)[0])) <= reserve
+    assert deviation(piece, read_path(path_data([piece], reserve)[0]), reserve) <= reserve
 
 
 @pytest.mark.parametrize("radius", [1e-6, 1.0, 1e6])
@@ -272,7 +296,7 @@ def test_arcs_of_circles_are_few_and_exact(radius, shift):
             commands = read_path(path_data([piece], reserve)[0])
             assert [command[0] for command in commands] == ["A"] * count
             assert all(command[2][3:] == [0, direction > 0] for command in commands)
-            assert deviation(piece, commands) <= reserve
+            assert deviation(piece, commands, reserve) <= reserve
 
 
 @given(st.lists(pieces(), min_size=2, max_size=4), st.floats(-9, -2))
@@ -291,10 +315,10 @@ def test_pieces_join_and_share_their_rounding(parts, exponent):
     commands = read_path(path_data(chain, reserve)[0])
     counts = [len(read_path(path_data([piece], reserve)[0])) for piece in chain]
     assert sum(counts) == len(commands)
-    assume(len(commands) <= 40)
+    assume(len(commands) <= 20)
     for piece in chain:
         mine, commands = commands[: counts[0]], commands[counts.pop(0) :]
-        assert deviation(piece, mine) <= reserve
+        assert deviation(piece, mine, reserve) <= reserve
 
 
 def test_each_kind_has_its_command():
@@ -313,7 +337,7 @@ def test_radii_are_capped():
         piece = Piece("ellipse", (0, 1), (-1.0, 0.0), (1.0, 0.0), (0.0, w * height), w, 0.0)
         data, _ = path_data([piece], 1e-15)
         assert "A" not in data
-        assert deviation(piece, read_path(data)) <= 1e-15
+        assert deviation(piece, read_path(data), 1e-15) <= 1e-15
 
 
 def test_fewer_digits_for_a_larger_reserve():

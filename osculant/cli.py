@@ -1,0 +1,273 @@
+"""The command line: one thin command for each public function.
+
+Exit statuses: 0; 2 for anything that the user can put right, told in one sentence; 130 after Ctrl-C; 141 if
+the reader of the output went away; 1 for a defect of osculant.
+"""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from time import perf_counter
+from typing import Annotated
+
+import typer
+
+from osculant import __version__
+from osculant.arguments import Commands, FormulaCommand, UsageError, both_ends, check_files, whole_number
+from osculant.cas.errors import OsculantError
+from osculant.report import (
+    Waiting,
+    invariants_data,
+    print_complexity,
+    print_invariants,
+    print_json,
+    print_spline,
+    print_table,
+    print_values,
+    printable,
+    values_data,
+)
+
+USAGE, INTERRUPTED, BROKEN_PIPE, DEFECT = 2, 130, 141, 1
+#: set, it lets a defect's traceback through
+DEBUG = "OSCULANT_DEBUG"
+
+app = typer.Typer(
+    cls=Commands,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    invoke_without_command=True,
+    help="Curves approximated with the fewest pieces, from their formula.",
+    epilog="Formulas are written like t*cos(t), 2^(1/3) or -pi/6; give them in quotation marks.",
+)
+
+Formula = Annotated[
+    str, typer.Argument(metavar="FORMULA", help='The two coordinates, such as "t*cos(t), t*sin(t)".')
+]
+Low = Annotated[str | None, typer.Option("--from", metavar="A", help="First end of the interval, a formula.")]
+High = Annotated[str | None, typer.Option("--to", metavar="B", help="Last end of the interval, a formula.")]
+Primitive = Annotated[str, typer.Option("--with", metavar="conic|parabola", help="What the pieces are.")]
+SplitAt = Annotated[
+    list[str] | None,
+    typer.Option("--split-at", metavar="T", help="A parameter that shall be a knot; repeatable."),
+]
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        print(f"osculant {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _door(
+    context: typer.Context,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+) -> None:
+    if context.invoked_subcommand is None:
+        print(context.get_help())
+
+
+@app.command(cls=FormulaCommand)
+def approximate(
+    context: typer.Context,
+    formula: Formula,
+    low: Low = None,
+    high: High = None,
+    primitive: Primitive = "conic",
+    tolerance: Annotated[
+        str, typer.Option("--tolerance", metavar="E", help="The Hausdorff distance allowed.")
+    ] = "1e-6",
+    split_at: SplitAt = None,
+    write: Annotated[
+        list[str] | None, typer.Option("--write", metavar="FILE", help="Write .svg or .json; repeatable.")
+    ] = None,
+    plot: Annotated[
+        str | None, typer.Option("--plot", metavar="FILE", help="Draw with matplotlib, to .png, .pdf, ...")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Approximate a curve by the spline with the fewest pieces within a tolerance."""
+    low, high = both_ends(low, high)
+    files = [*(write or []), *([] if plot is None else [plot])]
+    check_files(write or [], plot)
+
+    import osculant
+
+    began = perf_counter()
+    with Waiting("approximating") as progress:
+        spline = osculant.approximate(
+            osculant.curve(formula, low, high),
+            primitive,
+            tolerance,  # type: ignore[arg-type]  # text is read there, and refused in a sentence
+            split_at=split_at or (),
+            progress=progress,
+        )
+    seconds = perf_counter() - began
+    for file in files:
+        Path(file).parent.mkdir(parents=True, exist_ok=True)
+    for file in write or []:
+        spline.write(file, command=context.obj)
+    if plot is not None:
+        spline.plot(plot)
+    if as_json:
+        print_json(spline.to_json())
+    else:
+        print_spline(spline, seconds, files)
+
+
+@app.command(cls=FormulaCommand)
+def invariants(
+    formula: Formula,
+    low: Low = None,
+    high: High = None,
+    at: Annotated[
+        str | None, typer.Option("--at", metavar="T", help="Evaluate at this parameter instead.")
+    ] = None,
+    digits: Annotated[
+        str | None, typer.Option("--digits", metavar="N", help="Digits of the values, by default 15.")
+    ] = None,
+    latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Print a curve's Euclidean and affine invariants exactly, or their values at a parameter.
+
+    With both ends of an interval the arc lengths are definite integrals.
+    """
+    if digits is not None and at is None:
+        raise UsageError("The option --digits needs --at: it tells how many digits of the values to print.")
+
+    from osculant.plane import DIGITS, PlaneCurve
+
+    wanted = DIGITS if digits is None else whole_number(digits, "--digits")
+
+    curve = PlaneCurve(formula, low, high)
+    if at is None:
+        data = invariants_data(curve)
+        show = print_invariants
+    else:
+        data = values_data(curve, at, wanted)
+        show = print_values
+    if as_json:
+        print_json(data)
+    else:
+        show(data, latex)
+
+
+@app.command(cls=FormulaCommand)
+def complexity(
+    formula: Formula,
+    low: Low = None,
+    high: High = None,
+    primitive: Primitive = "conic",
+    tolerance: Annotated[
+        str | None, typer.Option("--tolerance", metavar="E", help="Predict the pieces for this tolerance.")
+    ] = None,
+    split_at: SplitAt = None,
+    as_json: AsJson = False,
+) -> None:
+    """Print how many pieces theory predicts, and its leading constant."""
+    low, high = both_ends(low, high)
+
+    import osculant
+    from osculant.api import _checked_tolerance
+
+    allowed = None if tolerance is None else _checked_tolerance(tolerance)
+    curve = osculant.curve(formula, low, high)
+    law = osculant.complexity(curve, primitive, split_at=split_at or ())
+    if not as_json:
+        print_complexity(curve, law, allowed)
+        return
+    data = {"curve": curve.text, **law.to_json()}
+    if allowed is not None:
+        data |= {
+            "tolerance": allowed,
+            "predicted": law.predicted(allowed),
+            "predicted_pieces": law.predicted_pieces(allowed),
+        }
+    print_json(data)
+
+
+@app.command(cls=FormulaCommand)
+def tables(
+    number: Annotated[
+        str, typer.Argument(metavar="TABLE", help="The table's number in the thesis: 3.1 or 3.3.")
+    ],
+    as_json: AsJson = False,
+) -> None:
+    """Compute a table of the thesis beside what it prints, with a verdict for every cell."""
+    from osculant.tables import compute
+
+    with Waiting(f"computing table {number}") as progress:
+        table = compute(number, progress)
+    if as_json:
+        print_json(table.to_json())
+    else:
+        print_table(table)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command line and return its exit status.
+
+    Args:
+        arguments: without the program's name; those of the process by default.
+
+    >>> main(["--version"])
+    osculant 0.1.0
+    0
+    """
+    arguments = sys.argv[1:] if arguments is None else list(arguments)
+    command = printable(shlex.join(["osculant", *arguments]))
+    try:
+        status = app(args=arguments, prog_name="osculant", standalone_mode=False, obj=command)
+        print(end="", flush=True)  # a closed pipe or a full disk shall be seen here, not at exit
+        return status or 0
+    except (BrokenPipeError, SystemExit):  # typer makes the second of the first
+        _forget_output()
+        return BROKEN_PIPE
+    except (KeyboardInterrupt, typer.Abort):
+        return INTERRUPTED
+    except OsculantError as error:
+        return _refuse(str(error), USAGE)
+    except OSError as error:
+        _forget_output()
+        return _refuse(f"Cannot write {error.filename or 'the output'}: {error.strerror or error}.", USAGE)
+    except Exception as error:
+        usage = typer.BadParameter.mro()[1]  # not exported by all versions of typer
+        if isinstance(error, usage):
+            return _refuse(error.format_message(), USAGE)  # type: ignore[attr-defined]
+        if os.environ.get(DEBUG):
+            raise
+        return _refuse(
+            f"This is a defect of osculant ({type(error).__name__}: {error}): please report it; "
+            f"{DEBUG}=1 shows where it happened.",
+            DEFECT,
+        )
+
+
+def _refuse(sentence: str, status: int) -> int:
+    if sys.stderr is not None:  # it was closed before the start
+        with suppress(OSError):
+            print(f"osculant: {printable(sentence)}", file=sys.stderr, flush=True)
+    return status
+
+
+def _forget_output() -> None:
+    """Send what is still buffered nowhere, so that the interpreter does not stumble over it at exit."""
+    with suppress(OSError, ValueError, AttributeError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
