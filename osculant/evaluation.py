@@ -25,7 +25,9 @@ def invariants_to_digits(curve: CurveBalls, at: Node, digits: int) -> dict[str, 
 
     Raises DomainError where the curve has no five finite derivatives, or for a silly number of digits.
     """
-    from osculant.cas.balls import arb, constant, precision
+    from flint import arb
+
+    from osculant.cas.balls import constant, precision
     from osculant.cas.expression import to_text
     from osculant.cas.invariants import INVARIANTS
 
@@ -39,7 +41,8 @@ def invariants_to_digits(curve: CurveBalls, at: Node, digits: int) -> dict[str, 
             jet = curve.jet(t, 5)
             if not all(value.is_finite() for value in (*jet.x, *jet.y)):
                 raise DomainError(
-                    f"The curve has no finite derivatives at t = {to_text(at)} ({curve.explain(t)}): choose another point."
+                    f"The curve has no finite derivatives at t = {to_text(at)} ({curve.explain(t)}): "
+                    "choose another point."
                 )
             balls = {invariant.name: invariant.of(jet) for invariant in INVARIANTS}
             tiny = arb(10) ** -(digits + 10)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -30,6 +30,21 @@ PANELS, NODES = 64, 8
 PRIMITIVES = {"parabola": exchange.PARABOLA, "conic": exchange.CONIC}
 
 
+class Job(NamedTuple):
+    """The arguments of `kernels.greedy.spline` but for its table."""
+
+    primitive: int
+    address: int
+    place: tuple[float, float, float, float]
+    a: float
+    start: tuple[float, float, float, float]
+    stop: float
+    last: tuple[float, float, float, float]
+    low: float
+    high: float
+    length: float
+
+
 class Fitting:
     """One approximation: a curve, a primitive and a tolerance, with the kernels' local coordinates.
 
@@ -49,8 +64,8 @@ class Fitting:
         self.ulp = math.ulp(self.largest)
         if len(finite) < len(points) - 2 or not math.isfinite(self.ulp):
             raise DomainError(
-                f"The curve {curve.text} leaves the range of double numbers on its interval: scale it or take a "
-                "smaller interval."
+                f"The curve {curve.text} leaves the range of double numbers on its interval: "
+                "scale it or take a smaller interval."
             )
         self.origin = first.start.point
         size = float(np.ptp(finite, axis=0).max())
@@ -83,44 +98,45 @@ class Fitting:
             ty * bend,
         )
 
+    def job(self, stretch: Stretch, delta: float) -> Job:
+        """The kernel's arguments for a stretch from its beginning."""
+        aim = self.tolerance * self.scale
+        return Job(
+            PRIMITIVES[self.primitive],
+            self.curve.compiled.address,
+            self._place(stretch),
+            stretch.a,
+            self._local(stretch.start, stretch.bend),
+            stretch.b,
+            self._local(stretch.end, stretch.bend),
+            aim * (1 - 7 / 8 * delta),
+            aim * (1 - delta / 4),
+            (stretch.b - stretch.a) / 8,
+        )
+
     def _greedy_pieces(
         self, stretch: Stretch, delta: float, progress: Callable[[float], None] | None
     ) -> list[Piece]:
-        aim = self.tolerance * self.scale
-        low, high = aim * (1 - 7 / 8 * delta), aim * (1 - delta / 4)
-        start, end = self._local(stretch.start, stretch.bend), self._local(stretch.end, stretch.bend)
+        job, pieces = self.job(stretch, delta), []
         first, last = self.division.stretches[0].a, self.division.stretches[-1].b
-        a, pieces = stretch.a, []
-        length = (stretch.b - stretch.a) / 8
-        while a < stretch.b:
-            table = np.empty((CHUNK, greedy.COLUMNS))
-            count, reached, _ = greedy.spline(
-                PRIMITIVES[self.primitive],
-                self.curve.compiled.address,
-                self._place(stretch),
-                a,
-                start,
-                stretch.b,
-                end,
-                low,
-                high,
-                length,
-                table,
-            )
+        table = np.empty((CHUNK, greedy.COLUMNS))
+        while job.a < stretch.b:
+            count, reached, _ = greedy.spline(*job, table)
             pieces += [self._piece(row, stretch.bend) for row in table[:count]]
             if progress is not None:
                 progress((reached - first) / (last - first))
             if count < CHUNK and reached < stretch.b:
                 raise UndecidedError(
-                    f"No {self.primitive} within {self.tolerance:g} was found for the curve after t = {reached:.15g}: "
-                    "choose a larger tolerance, or a split point there."
+                    f"No {self.primitive} within {self.tolerance:g} was found for the curve after "
+                    f"t = {reached:.15g}: choose a larger tolerance, or a split point there."
                 )
             if len(pieces) > MOST_PIECES:
                 raise UndecidedError(
-                    f"More than {MOST_PIECES} pieces are needed: choose a larger tolerance or a shorter interval."
+                    f"More than {MOST_PIECES} pieces are needed: choose a larger tolerance "
+                    "or a shorter interval."
                 )
-            a, length = reached, table[count - 1, 1] - table[count - 1, 0]
-            start = greedy.frame(self.curve.compiled.address, self._place(stretch), np.empty(JET_SIZE), a)
+            start = greedy.frame(job.address, job.place, np.empty(JET_SIZE), reached)
+            job = job._replace(a=reached, start=start, length=table[count - 1, 1] - table[count - 1, 0])
         return pieces
 
     def _piece(self, row: np.ndarray[Any, Any], bend: float) -> Piece:
@@ -154,8 +170,8 @@ class Fitting:
             attained = scan.measure(pencil, q, address, place, jet, a, b, scan.GRID, rows) / self.scale
             if not attained <= self.tolerance:
                 raise UndecidedError(
-                    f"The curve {self.curve.text} looks like a conic, but its own arc leaves it by {attained:.3g} between "
-                    f"t = {a:.10g} and {b:.10g}: shorten the interval."
+                    f"The curve {self.curve.text} looks like a conic, but its own arc leaves it by "
+                    f"{attained:.3g} between t = {a:.10g} and {b:.10g}: shorten the interval."
                 )
             greedy.record(row, a, b, q, 0.0 if self.division.proved else attained * self.scale, 0, pencil)
             pieces.append(self._piece(row, stretch.bend))

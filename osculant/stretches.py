@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, UndecidedError
@@ -91,7 +92,7 @@ def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> D
             found.append(SpecialPoint(at, frozenset(["asked"])))
         points = _inner(found, low, high)
         cuts = [_end(found, low), *points, _end(found, high)]
-        stretches = tuple(_stretch(curve, before, after, kind) for before, after in zip(cuts, cuts[1:]))
+        stretches = tuple(_stretch(curve, before, after, kind) for before, after in pairwise(cuts))
     return Division(
         stretches,
         tuple(_float(point.at) for point in points),
@@ -161,7 +162,7 @@ def _stretch(
 
 def _frame(curve: PlaneCurve, point: SpecialPoint, side: int) -> Frame:
     """The frame at a split point, seen from the stretch after (side 1) or before it (side −1)."""
-    from osculant.cas.balls import arb
+    from flint import arb
 
     at = point.at.mid() if not point.decided else point.at
     singular = "cusp" in point.kinds

@@ -1,0 +1,119 @@
+"""Speed of the main job, as a table: `make bench`.
+
+Everything is measured in one run: one warm thread for the kernels, compile time excluded; a formula never
+seen before in a warm process; a fresh process with warm disk caches.  Medians of repeated runs.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+import osculant as osc
+from osculant.api import WINDOW, WINDOW_ULPS
+from osculant.fitting import PRIMITIVES, Fitting
+from osculant.kernels import greedy
+from osculant.stretches import divide
+
+SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
+REPEATS = 400
+
+
+def median_seconds(job: Callable[[], object], repeats: int) -> float:
+    """The median time of a job in seconds, after one run to warm it."""
+    job()
+    times = []
+    for _ in range(repeats):
+        before = time.perf_counter()
+        job()
+        times.append(time.perf_counter() - before)
+    return statistics.median(times)
+
+
+class KernelRun:
+    """The greedy kernel on the spiral's one stretch, as `Fitting` calls it."""
+
+    def __init__(self, primitive: str, tolerance: float) -> None:
+        self.curve = osc.curve(*SPIRAL)
+        division = divide(self.curve, primitive)
+        fitting = Fitting(self.curve, primitive, tolerance, division)
+        (stretch,) = division.stretches
+        delta = max(WINDOW, WINDOW_ULPS * fitting.ulp / tolerance)
+        self.table = np.empty((4096, greedy.COLUMNS))
+        self.job = fitting.job(stretch, delta)
+
+    def __call__(self, address: int | None = None) -> int:
+        """Run once, on the compiled jet or on another one at ``address``; returns the pieces."""
+        count, _, _ = greedy.spline(*self.job._replace(address=address or self.job.address), self.table)
+        return int(count)
+
+    def samples(self) -> int:
+        """Evaluations of the curve in one run, counted by a jet that calls back."""
+        calls = 0
+        compiled = self.curve.compiled
+
+        @ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_void_p)
+        def counting(t: float, out: int) -> None:
+            nonlocal calls
+            calls += 1
+            compiled._call(t, out)
+
+        address = ctypes.cast(counting, ctypes.c_void_p).value
+        assert address is not None
+        self(address)
+        return calls
+
+
+def kernel_rows() -> list[tuple[str, str, str]]:
+    """Time and samples per piece of the spiral."""
+    rows = []
+    for primitive in PRIMITIVES:
+        for tolerance in (1e-4, 1e-6, 1e-8, 1e-10):
+            run = KernelRun(primitive, tolerance)
+            pieces = run()
+            seconds = median_seconds(run, REPEATS)
+            wanted = "2 µs, 30 samples" if (primitive, tolerance) == ("conic", 1e-8) else ""
+            found = f"{1e6 * seconds / pieces:.2f} µs, {run.samples() / pieces:.1f} samples"
+            rows.append((f"spiral, {tolerance:g}, {pieces} × {primitive}: per piece", found, wanted))
+    return rows
+
+
+def new_formula_row() -> tuple[str, str, str]:
+    """A formula never seen before, from text to its first spline, in a warm process."""
+    times = []
+    for n in range(2, 22):
+        text = f"t*cos(t)+sin({n}*t)/{n * n + 40}, t*sin(t)+t^2/{n + 17}"
+        before = time.perf_counter()
+        osc.approximate(osc.curve(text, "pi/6", "2*pi"), "conic", 1e-6)
+        times.append(time.perf_counter() - before)
+    found = f"{1e3 * statistics.median(times):.0f} ms (worst of 20: {1e3 * max(times):.0f} ms)"
+    return "a new formula, text to first spline, warm process", found, "100 ms"
+
+
+def fresh_process_row() -> tuple[str, str, str]:
+    """The command line as a new process, disk caches warm."""
+    command = [str(Path(sys.executable).with_name("osculant")), "approximate", SPIRAL[0]]
+    command += ["--from", SPIRAL[1], "--to", SPIRAL[2], "--with", "conic", "--tolerance", "1e-6", "--json"]
+    seconds = median_seconds(lambda: subprocess.run(command, check=True, capture_output=True), 7)
+    return "`osculant approximate` on the spiral, fresh process, warm disk caches", f"{seconds:.2f} s", "2 s"
+
+
+def main() -> None:
+    """Print the table."""
+    table = Table("what", "measured", "wanted", title="osculant, one thread")
+    for row in (*kernel_rows(), new_formula_row(), fresh_process_row()):
+        table.add_row(*row)
+    Console(width=130).print(table)
+
+
+if __name__ == "__main__":
+    main()
