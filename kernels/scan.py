@@ -25,10 +25,12 @@ GRID, ROWS = 40, 1024
 LARGEST_TURN = math.cos(0.35)
 #: … and so do those at whose feet conic and curve differ by angles further apart (tangent of the angle)
 LARGEST_LEAN = 0.5
-#: intervals are cut in two at most this often, one within the other, and in all
-DEPTH, CUTS = 24, 400
+#: intervals are cut in two at most this often, one within the other, and in all between two samples
+DEPTH, CUTS = 24, 100
 #: visits of one peak at most, and the relative correction of its height that ends them
 VISITS, SETTLED = 8, 1e-7
+#: a peak is not sought nearer than this to an end of its interval, in parts of it
+MARGIN = 0.01
 #: rounds of the search for Q, and its relative accuracy
 ROUNDS, BALANCED = 80, 1e-12
 
@@ -103,6 +105,7 @@ def height(
 ) -> float:  # fmt: skip
     """The value of d at its peak in [low, high], from the guess t with d″ ≈ bend; NaN if a normal misses."""
     d, before, steepness = math.nan, math.nan, math.nan
+    margin = MARGIN * (high - low)  # at an end of the arc the displacement is 0/0
     for _ in range(VISITS):
         d, _, slope = displacement(q, view(pen, address, place, jet, t))
         if not math.isfinite(d):
@@ -115,7 +118,7 @@ def height(
         if abs(gain) <= SETTLED * abs(d):
             return d + gain
         before, steepness = t, slope
-        t = min(high, max(low, t - slope / bend))
+        t = min(high - margin, max(low + margin, t - slope / bend))
     return d
 
 
@@ -160,10 +163,8 @@ def extremes_between(
         row = pending[open_ends - 1]
         t, d, s, leaning = row[0], row[1], row[2], row[3]
         both = d0 * d < 0.0 and s0 * d0 > 0.0 and s * d < 0.0
-        if (both or apart(l0, leaning)) and open_ends < DEPTH:
+        if (both or apart(l0, leaning)) and open_ends < DEPTH and cuts < CUTS:
             cuts += 1
-            if cuts > CUTS:
-                return math.nan, math.nan
             middle = 0.5 * (t0 + t)
             seen = view(pen, address, place, jet, middle)
             value, _, slope = displacement(q, seen)
