@@ -19,7 +19,7 @@ from rich.console import Console
 from rich.table import Table
 
 import osculant as osc
-from osculant.api import WINDOW, WINDOW_ULPS
+from osculant.extent import extent
 from osculant.fitting import PRIMITIVES, Fitting
 from osculant.kernels import greedy
 from osculant.stretches import divide
@@ -45,11 +45,10 @@ class KernelRun:
     def __init__(self, primitive: str, tolerance: float) -> None:
         self.curve = osc.curve(*SPIRAL)
         division = divide(self.curve, primitive)
-        fitting = Fitting(self.curve, primitive, tolerance, division)
+        fitting = Fitting(self.curve, primitive, tolerance, division, extent(self.curve))
         (stretch,) = division.stretches
-        delta = max(WINDOW, WINDOW_ULPS * fitting.ulp / tolerance)
         self.table = np.empty((4096, greedy.COLUMNS))
-        self.job = fitting.job(stretch, delta)
+        self.job = fitting.job(stretch)
 
     def __call__(self, address: int | None = None) -> int:
         """Run once, on the compiled jet or on another one at ``address``; returns the pieces."""

@@ -9,7 +9,6 @@ from typing import Any
 
 from flint import arb, arb_series, ctx
 
-from osculant.cas.errors import DomainError
 from osculant.cas.expression import Node
 from osculant.cas.fields import Balls
 from osculant.cas.invariants import PlaneJet
@@ -54,6 +53,7 @@ class CurveBalls:
     def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
         self.coordinates = tuple(coordinates)
         self.variable = variable
+        self.field = Balls()
         self._program = cache(self._make_program)
 
     def _make_program(self, order: int) -> Program:
@@ -61,7 +61,7 @@ class CurveBalls:
 
     def coefficients(self, t: Any, order: int) -> list[list[Any]]:
         """Normalised Taylor coefficients 0…order of each coordinate at all points of the ball t."""
-        return self._program(order).run(t, Balls())
+        return self._program(order).run(t, self.field)
 
     def jet(self, t: Any, order: int) -> PlaneJet:
         """The jet of that order at a ball, derivatives as balls."""
@@ -84,7 +84,7 @@ class CurveBalls:
                 chain.append(arb_series(entry.coeffs()[:length], length))
                 entry = entry.derivative()
             derivatives.append(chain)
-        return PlaneJet(*derivatives)
+        return PlaneJet(derivatives[0], derivatives[1])
 
     def form_series(self, form: Form, t: Any, order: int, length: int) -> list[Any] | None:
         """Taylor coefficients of a form over jets of that order, at all points of the ball t."""
@@ -94,7 +94,7 @@ class CurveBalls:
     def explain(self, t: Any) -> str:
         """Why the curve has no finite series at t: the first operation that fails, in words."""
         compiled = self._program(1)
-        values = compiled.trace(t, Balls())
+        values = compiled.trace(t, self.field)
         for step, value in zip(compiled.instructions, values, strict=True):
             if not value.is_finite():
                 return REASONS.get(step.op) or REASONS.get(str(step.value)) or f"{step.value} is undefined"
@@ -119,11 +119,3 @@ def padded(series: Any, length: int) -> list[Any]:
     """The coefficients of a power series, filled up with zeros."""
     found = list(series.coeffs())[:length]
     return found + [arb(0)] * (length - len(found))
-
-
-def require_order(low: Any, high: Any, names: tuple[str, str]) -> None:
-    """Raises DomainError unless low < high for certain."""
-    if not low < high:
-        raise DomainError(
-            f"The interval from {names[0]} to {names[1]} is empty or reversed: give two finite ends, the smaller first."
-        )

@@ -113,5 +113,5 @@ def order_of_zero(
         [Truncated([row[i + k] / factorial(k) for k in range(multiplicity)]) for i in range(order + 1)]
         for row in rows
     ]
-    terms = form(PlaneJet(*derivatives)).terms
+    terms = form(PlaneJet(derivatives[0], derivatives[1])).terms
     return all(is_zero(term, near) for term, near in zip(terms, balls, strict=True))

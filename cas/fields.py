@@ -40,9 +40,10 @@ class Balls:
     """
 
     def __init__(self) -> None:
-        from flint import arb, fmpq
+        from flint import arb, ctx, fmpq
 
-        self._arb, self._fmpq = arb, fmpq
+        self._arb, self._fmpq, self._context = arb, fmpq, ctx
+        self._known: dict[tuple[Fraction, int], Any] = {}
 
     def number(self, value: Fraction) -> Any:
         """A ball around a rational.
@@ -50,7 +51,10 @@ class Balls:
         >>> Balls().number(Fraction(1, 2))
         0.500000000000000
         """
-        return self._arb(self._fmpq(value.numerator, value.denominator))
+        key = value, self._context.prec
+        if key not in self._known:
+            self._known[key] = self._arb(self._fmpq(value.numerator, value.denominator))
+        return self._known[key]
 
     def constant(self, name: str) -> Any:
         """A ball around pi or e."""

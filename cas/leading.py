@@ -9,50 +9,50 @@ affine to Euclidean normal this gives Theorem 3.6.1: |k|κ^{5/3}σ⁴/128 and |d
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
-import sympy as sp
-
-from osculant.cas.pencil import lobe_shape, lobes
-
-
-def canonical_coefficients() -> tuple[sp.Expr, sp.Expr]:
-    """The factors of k in x⁴ and of dk/dr in x⁵ of the canonical form, by reversion of x(r).
-
-    >>> canonical_coefficients()
-    (1/8, 1/40)
-    """
-    r, x, k, slope = sp.symbols("r x k slope")
-    # α‴ = −kα′, so α⁽⁴⁾ = −k′t − kn and α⁽⁵⁾ = … − 2k′n: the components along t and n (2.11)
-    along = r - k * r**3 / 6 - slope * r**4 / 24
-    across = r**2 / 2 - k * r**4 / 24 - 2 * slope * r**5 / 120
-    inverse = x
-    for _ in range(3):
-        inverse = _truncated(x - (along - r).subs(r, inverse), x, 5)
-    graph = sp.Poly(_truncated(across.subs(r, inverse), x, 6), x)
-    return graph.coeff_monomial(x**4) / k, graph.coeff_monomial(x**5) / slope
-
-
-def _truncated(expr: sp.Expr, x: sp.Symbol, order: int) -> sp.Expr:
-    return sum(c * x**n for (n,), c in sp.Poly(sp.expand(expr), x).terms() if n < order)
+from flint import arb, fmpq, fmpq_poly, fmpq_series
 
 
 @cache
-def exact_error_constant(primitive: str) -> sp.Expr:
-    """c in the error c·|k|κ^{5/3}σ⁴ (parabola) or c·|dk/dr|κ²σ⁵ (conic), exactly.
+def canonical_coefficients() -> tuple[Fraction, Fraction]:
+    """The factors of k in x⁴ and of dk/dr in x⁵ of the canonical form, by reversion of x(r).
 
-    >>> exact_error_constant("parabola"), exact_error_constant("conic")
-    (1/128, sqrt(5)/10000)
+    >>> canonical_coefficients()
+    (Fraction(1, 8), Fraction(1, 40))
     """
-    crossings = {"parabola": 0, "conic": 1}[primitive]
-    shape, x = lobe_shape(crossings)
-    peak = sp.Abs(shape.subs(x, lobes(crossings)["first"]))
-    return sp.simplify(canonical_coefficients()[crossings] * peak)
+    found = []
+    for k, slope, power in ((1, 0, 4), (0, 1, 5)):
+        # α‴ = −kα′, so α⁽⁴⁾ = −k′t − kn and α⁽⁵⁾ = … − 2k′n: the components along t and n (2.11)
+        along = [0, 1, 0, fmpq(-k, 6), fmpq(-slope, 24)]
+        across = [0, 0, fmpq(1, 2), 0, fmpq(-k, 24), fmpq(-2 * slope, 120)]
+        graph = fmpq_series(across)(fmpq_series(along).reversion())
+        found.append(Fraction(int(graph[power].p), int(graph[power].q)))
+    return found[0], found[1]
 
 
 def error_constant(primitive: str) -> Any:
-    """The same as a ball at the current precision."""
-    from flint import arb, ctx
+    """c in the error c·|k|κ^{5/3}σ⁴ (parabola) or c·|dk/dr|κ²σ⁵ (conic): a ball at the current precision.
 
-    return arb(str(sp.N(exact_error_constant(primitive), int(ctx.prec * 0.302) + 10)))
+    >>> 128 * error_constant("parabola")
+    [1.00000000000000 +/- ...]
+    """
+    crossings = {"parabola": 0, "conic": 1}[primitive]
+    coefficient = canonical_coefficients()[crossings]
+    x = fmpq_poly([0, 1])
+    shape = x**2 * (1 - x) ** 2 * (x - fmpq(1, 2)) ** crossings
+    # the peaks are among the real zeros of the derivative; its zeros 0 and 1 have height 0
+    peaks = [root.real for root, _ in shape.derivative().complex_roots() if root.imag == 0]
+    heights = [abs(arb_value(shape, x)) for x in peaks]
+    top = max(heights, key=float)
+    return top * fmpq(coefficient.numerator, coefficient.denominator)
+
+
+def arb_value(polynomial: fmpq_poly, x: Any) -> Any:
+    """The value of a rational polynomial at a ball, by Horner's rule."""
+    value = arb(0)
+    for c in reversed(polynomial.coeffs()):
+        value = value * x + arb(c)
+    return value

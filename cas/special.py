@@ -68,11 +68,19 @@ def vanishes(curve: CurveBalls, name: str, low: Any, high: Any) -> bool:
     return True
 
 
+def require_finite(curve: CurveBalls, low: Node, high: Node) -> None:
+    """Raises DomainError, naming the parameter value, unless all derivatives needed are finite on [low, high]."""
+    with precision(PRECISION):
+        infinite = first_infinite(_Evaluation(curve), tuple(FORMS), constant(low), constant(high))
+        if infinite is not None:
+            raise DomainError(undefined(curve, *infinite, (low, high)))
+
+
 def special_points(curve: CurveBalls, low: Node, high: Node, names: Sequence[str]) -> list[SpecialPoint]:
     """The special points of the given kinds inside [low, high], in order, merged where they coincide.
 
-    Points at the ends are reported too (their frames are limits).  Raises DomainError where the
-    curve or a derivative is not finite, naming the parameter value.
+    Points at the ends are reported too (their frames are limits).  The curve has to be finite there:
+    see `require_finite`.
 
     >>> from osculant.cas.formula import parse_constant, parse_tuple
     >>> cubic = CurveBalls(parse_tuple("t, t^3"))
@@ -83,9 +91,6 @@ def special_points(curve: CurveBalls, low: Node, high: Node, names: Sequence[str
     with precision(PRECISION):
         a, b = constant(low), constant(high)
         evaluate = _Evaluation(curve)
-        infinite = first_infinite(evaluate, names, a, b)
-        if infinite is not None:
-            raise DomainError(undefined(curve, *infinite, (low, high)))
         multiple = _MultipleZeros(curve, (low, high))
         found = isolate(evaluate, multiple, names, a, b)
         points = _simple(curve, found, a, b) + multiple.points
@@ -125,7 +130,10 @@ def _simple(curve: CurveBalls, found: Isolation, a: Any, b: Any) -> list[Special
             return arb.nan() if series is None else series[0]
 
         def slope(t: Any, form: Form = form, order: int = order) -> Any:
-            centre = arb(t.mid())
+            series = curve.form_series(form, t, order, 2)
+            if series is not None and not series[1].contains(0):
+                return series[1]
+            centre = arb(t.mid())  # a wide ball: the Taylor form that isolated the zero
             over = curve.form_series(form, t, order, LENGTH)
             at = curve.form_series(form, centre, order, LENGTH)
             if over is None or at is None:

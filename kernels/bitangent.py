@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
-import numpy as np
-
-from osculant.kernels.curve import Frame, Place, sample
+from osculant.kernels.curve import Frame, Source, sample
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 
@@ -38,6 +35,16 @@ def is_proper(pen: Pencil) -> bool:
     return pen[10] > 0.0 and pen[11] > 0.0 and pen[12] > 0.0
 
 
+#: angles between the chord and the end tangents below which an arc is straight to rounding
+FLAT = 1e-13
+
+
+@kernel
+def is_flat(pen: Pencil) -> bool:
+    """Whether the chord meets both end tangents as well as doubles can tell: then it is the piece."""
+    return abs(pen[11]) < FLAT and abs(pen[12]) < FLAT and pen[2] * pen[8] + pen[3] * pen[9] > 0.0
+
+
 @kernel
 def weight(pen: Pencil, q: float) -> float:
     """The Bézier weight w of the member Q; the arc is bounded iff w > −1."""
@@ -46,9 +53,9 @@ def weight(pen: Pencil, q: float) -> float:
 
 
 @kernel
-def view(pen: Pencil, address: int, place: Place, jet: np.ndarray[Any, Any], t: float) -> View:
+def view(pen: Pencil, source: Source, t: float) -> View:
     """The three lines of the pencil and their derivatives at α(t)."""
-    x, y, tx, ty, speed, curvature = sample(address, place, jet, t)
+    x, y, tx, ty, speed, curvature = sample(source, t)
     x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, _, _, _, _ = pen
     ux, uy, vx, vy = x - x0, y - y0, x - x2, y - y2
     # [v, N] with N = (−T_y, T_x) is the scalar product of v and T

@@ -9,6 +9,7 @@ the left: ``place`` = (origin x, origin y, scale, ±1).
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -23,12 +24,14 @@ JET_SIZE = 6
 
 #: (origin x, origin y, scale, ±1)
 Place = tuple[float, float, float, float]
+#: (address of the compiled jet, place, scratch space for one jet: `JET_SIZE` doubles)
+Source = tuple[int, Place, np.ndarray[Any, Any]]
 #: (x, y, unit tangent x, unit tangent y) in the kernel's coordinates
 Frame = tuple[float, float, float, float]
 
 
-@intrinsic  # type: ignore[misc]
-def _call(typing: Any, address: Any, t: Any, out: Any) -> Any:
+@intrinsic
+def _call_address(typing: Any, address: Any, t: Any, out: Any) -> Any:
     """Call the machine code at ``address`` with (t, pointer to the data of ``out``)."""
 
     def emit(context: Any, builder: Any, signature: Any, args: Any) -> Any:
@@ -42,14 +45,14 @@ def _call(typing: Any, address: Any, t: Any, out: Any) -> Any:
     return types.void(types.int64, types.float64, out), emit
 
 
-@kernel
-def sample(
-    address: int, place: Place, jet: np.ndarray[Any, Any], t: float
-) -> tuple[float, float, float, float, float, float]:
-    """Position, unit tangent, speed |α′| and curvature at t, in the kernel's coordinates.
+#: as kernels call it: numba supplies the first argument of the intrinsic
+_call: Callable[[int, float, np.ndarray[Any, Any]], None] = _call_address
 
-    ``jet`` is scratch space for `JET_SIZE` doubles.
-    """
+
+@kernel
+def sample(source: Source, t: float) -> tuple[float, float, float, float, float, float]:
+    """Position, unit tangent, speed |α′| and curvature at t, in the kernel's coordinates."""
+    address, place, jet = source
     _call(address, t, jet)
     scale = place[2]
     rise = scale * place[3]

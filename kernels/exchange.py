@@ -10,12 +10,9 @@ consistent, and `greedy` has `scan` to fall back on.
 from __future__ import annotations
 
 import math
-from typing import Any
-
-import numpy as np
 
 from osculant.kernels.bitangent import View, displacement, is_proper, pencil, through, view, weight
-from osculant.kernels.curve import Frame, Place
+from osculant.kernels.curve import Frame, Source
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 
@@ -96,9 +93,7 @@ def balance(first: View, last: View, h: float, sharp1: float, sharp2: float) -> 
 @kernel
 def exchange(
     primitive: int,
-    address: int,
-    place: Place,
-    jet: np.ndarray[Any, Any],
+    source: Source,
     a: float,
     start: Frame,
     b: float,
@@ -120,7 +115,7 @@ def exchange(
     failed = (math.nan, math.nan, math.nan, peaks, steeps)
     if not is_proper(pen):
         return failed
-    first = view(pen, address, place, jet, a + x1 * h)
+    first = view(pen, source, a + x1 * h)
     if primitive == PARABOLA:
         if not pen[13] > 0.0:
             return failed
@@ -131,7 +126,7 @@ def exchange(
         top = peak(d, slope * h, sharp)
         x = moved(x1, d, slope * h, sharp)
         return abs(top), q, abs(top / d - 1.0), (x, x, sharp, sharp), (steep, steep)
-    last = view(pen, address, place, jet, a + x2 * h)
+    last = view(pen, source, a + x2 * h)
     q = balance(first, last, h, sharp1, sharp2)
     if not (q > 0.0 and weight(pen, q) > -1.0):
         return failed

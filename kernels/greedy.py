@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 
 from osculant.kernels.bitangent import Pencil, pencil
-from osculant.kernels.curve import JET_SIZE, Frame, Place, sample
+from osculant.kernels.curve import JET_SIZE, Frame, Place, Source, sample
 from osculant.kernels.exchange import PARABOLA, Peaks, exchange, first_peaks
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
-from osculant.kernels.scan import GRID, ROW_SIZE, ROWS, measure, minimax
+from osculant.kernels.scan import GRID, Space, measure, minimax, workspace
 
 #: why an arc ends where it does
 ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT = 0, 1, 2
@@ -39,23 +39,21 @@ CAREFUL_STEPS = 200
 
 
 @kernel
-def frame(address: int, place: Place, jet: np.ndarray[Any, Any], t: float) -> Frame:
+def frame(source: Source, t: float) -> Frame:
     """The frame of the curve at t."""
-    x, y, tx, ty, _, _ = sample(address, place, jet, t)
+    x, y, tx, ty, _, _ = sample(source, t)
     return x, y, tx, ty
 
 
 @kernel
-def frame_at(
-    address: int, place: Place, jet: np.ndarray[Any, Any], t: float, stop: float, last: Frame
-) -> Frame:
+def frame_at(source: Source, t: float, stop: float, last: Frame) -> Frame:
     """The frame at t, which at the end of the stretch is the given limit frame."""
-    return last if t == stop else frame(address, place, jet, t)
+    return last if t == stop else frame(source, t)
 
 
 @kernel
 def quick_arc(
-    primitive: int, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, start: Frame,
+    primitive: int, source: Source, a: float, start: Frame,
     stop: float, last: Frame, length: float, low: float, high: float, peaks: Peaks,
 ) -> tuple[float, float, Peaks, bool]:  # fmt: skip
     """(b, Q, peaks, found) of the longest arc with error in [low, high], by fast steps from ``length``."""
@@ -69,9 +67,9 @@ def quick_arc(
         if a + length > stop - 1e-9 * length:
             b = stop
         length = b - a
-        end = frame_at(address, place, jet, b, stop, last)
+        end = frame_at(source, b, stop, last)
         error, q, unrest, moved, steeps = exchange(
-            primitive, address, place, jet, a, start, b, end, peaks, steeps, before
+            primitive, source, a, start, b, end, peaks, steeps, before
         )
         if not error > 0.0:
             return b, q, peaks, False
@@ -91,14 +89,14 @@ def quick_arc(
 
 @kernel
 def careful_arc(
-    primitive: int, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, start: Frame,
-    stop: float, last: Frame, length: float, low: float, high: float, rows: np.ndarray[Any, Any],
+    primitive: int, source: Source, a: float, start: Frame,
+    stop: float, last: Frame, length: float, low: float, high: float, space: Space,
 ) -> tuple[float, float, int]:  # fmt: skip
     """(b, Q, reason) of the longest arc with error at most ``high``, by a bracketed search.
 
     Q is NaN if not even the shortest arc can be approximated.
     """
-    error, q = minimax(primitive, address, place, jet, a, start, stop, last, rows)
+    error, q = minimax(primitive, source, a, start, stop, last, space)
     if error <= high:
         return stop, q, ENDS_AT_STRETCH
     aim = AIM * low + (1.0 - AIM) * high
@@ -110,7 +108,7 @@ def careful_arc(
         if not (b > a and b < stop) or length <= good or length >= bad:
             break
         error, q = minimax(
-            primitive, address, place, jet, a, start, b, frame(address, place, jet, b), rows
+            primitive, source, a, start, b, frame(source, b), space
         )
         if error <= high:
             good, good_q, good_error = length, q, error
@@ -135,7 +133,9 @@ def careful_arc(
 @kernel
 def record(row: np.ndarray[Any, Any], a: float, b: float, q: float, error: float, reason: int, pen: Pencil) -> None:
     """Write one piece into a row of the table: a, b, Q, error, reason, P₀, T₀, P₂, weight, |V| (see COLUMNS)."""
-    w, reach = generated.weight(q, pen[10], pen[11], pen[12], pen[13])
+    w, reach = 1.0, 0.5 * pen[10]  # the chord
+    if q > 0.0:
+        w, reach = generated.weight(q, pen[10], pen[11], pen[12], pen[13])
     row[0], row[1], row[2], row[3], row[4] = a, b, q, error, reason
     for j in range(6):
         row[5 + j] = pen[j]
@@ -154,33 +154,33 @@ def spline(
     units of the parameter.  Returns (pieces, where the last one ends, careful searches); the last one
     ends before ``stop`` if the table is full or if nothing can be found there.
     """
-    jet = np.empty(JET_SIZE)
-    rows = np.empty((ROWS, ROW_SIZE))
+    source = (address, place, np.empty(JET_SIZE))
+    space = workspace()
     peaks = first_peaks(primitive)
     careful = 0
     previous = math.nan
     for count in range(table.shape[0]):
         b, q, after, found = quick_arc(
-            primitive, address, place, jet, a, start, stop, last, length, low, high, peaks
+            primitive, source, a, start, stop, last, length, low, high, peaks
         )
         reason = ENDS_AT_STRETCH if b == stop else ENDS_AT_TOLERANCE
         error = math.inf
         if found:
-            end = frame_at(address, place, jet, b, stop, last)
+            end = frame_at(source, b, stop, last)
             pen = pencil(start, end)
-            error = measure(pen, q, address, place, jet, a, b, CHECKED, rows)
+            error = measure(pen, q, source, a, b, CHECKED, space)
         if error <= high and (error >= low or b == stop):
             peaks = after
         else:
             careful += 1
             b, q, reason = careful_arc(
-                primitive, address, place, jet, a, start, stop, last, length, low, high, rows
+                primitive, source, a, start, stop, last, length, low, high, space
             )
             if math.isnan(q):
                 return count, a, careful
-            end = frame_at(address, place, jet, b, stop, last)
+            end = frame_at(source, b, stop, last)
             pen = pencil(start, end)
-            error = measure(pen, q, address, place, jet, a, b, GRID, rows)
+            error = measure(pen, q, source, a, b, GRID, space)
             peaks = first_peaks(primitive)
         record(table[count], a, b, q, error, reason, pen)
         if b == stop:

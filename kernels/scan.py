@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.bitangent import Pencil, View, displacement, is_proper, pencil, through, view, weight
-from osculant.kernels.curve import Frame, Place
+from osculant.kernels.bitangent import Pencil, View, displacement, is_flat, is_proper, pencil, through, view, weight
+from osculant.kernels.curve import Frame, Source
 from osculant.kernels.exchange import PARABOLA
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
@@ -20,7 +20,9 @@ from osculant.kernels.jit import kernel
 #: numbers of a row: a `View` and its parameter value
 ROW_SIZE = 12
 #: equidistant points that `minimax` begins with, and rows for them and for those put between
-GRID, ROWS = 40, 1024
+GRID, ROWS = 40, 400
+#: (rows for views, stack for intervals): what `workspace` makes
+Space = tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]
 #: neighbouring samples whose tangents differ by more than this (its cosine) get one between them …
 LARGEST_TURN = math.cos(0.35)
 #: … and so do those at whose feet conic and curve differ by angles further apart (tangent of the angle)
@@ -36,19 +38,25 @@ ROUNDS, BALANCED = 80, 1e-12
 
 
 @kernel
+def workspace() -> Space:
+    """Scratch space for the functions of this module, made once per spline."""
+    return np.empty((ROWS, ROW_SIZE)), np.empty((DEPTH, 4))
+
+
+@kernel
 def look(
-    pen: Pencil, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float, points: int,
-    rows: np.ndarray[Any, Any],
+    pen: Pencil, source: Source, a: float, b: float, points: int,
+    space: Space,
 ) -> int:  # fmt: skip
     """Views of the arc at ``points`` equidistant inner points, and between where the curve turns a lot.
 
-    Fills ``rows`` (capacity, `ROW_SIZE`) in the order of the curve and returns how many; −1 if the capacity
+    Fills the rows of ``space`` in the order of the curve and returns how many; −1 if the capacity
     does not suffice.
     """
     count = 0
     cosine, sine = 1.0, 0.0  # of the angle from T₀ to the tangent of the last row
     before = a
-    pending = np.empty(DEPTH)
+    rows, pending = space[0], space[1][:, 0]
     for i in range(1, points + 2):
         pending[0] = b if i == points + 1 else a + (b - a) * i / (points + 1)
         open_ends = 1
@@ -59,7 +67,7 @@ def look(
             else:
                 if count == rows.shape[0]:
                     return -1
-                seen = view(pen, address, place, jet, t)
+                seen = view(pen, source, t)
                 cosine_here, sine_here = seen[5], seen[8]
             turn = cosine * cosine_here + sine * sine_here
             if turn < LARGEST_TURN and open_ends < DEPTH:
@@ -100,14 +108,14 @@ def cubic_peak(d0: float, s0: float, d1: float, s1: float) -> tuple[float, float
 
 @kernel
 def height(
-    pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], low: float, high: float,
+    pen: Pencil, q: float, source: Source, low: float, high: float,
     t: float, bend: float,
 ) -> float:  # fmt: skip
     """The value of d at its peak in [low, high], from the guess t with d″ ≈ bend; NaN if a normal misses."""
     d, before, steepness = math.nan, math.nan, math.nan
     margin = MARGIN * (high - low)  # at an end of the arc the displacement is 0/0
     for _ in range(VISITS):
-        d, _, slope = displacement(q, view(pen, address, place, jet, t))
+        d, _, slope = displacement(q, view(pen, source, t))
         if not math.isfinite(d):
             return math.nan
         if t != before and slope != steepness and not math.isnan(before):
@@ -136,7 +144,7 @@ def apart(lean0: float, lean1: float) -> bool:
 
 @kernel
 def peak_inside(
-    pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], t0: float, d0: float,
+    pen: Pencil, q: float, source: Source, t0: float, d0: float,
     s0: float, t1: float, d1: float, s1: float,
 ) -> float:  # fmt: skip
     """d at the peak between two samples (value, slope); ends of the arc count as d = d′ = 0, 0 if there is no peak."""
@@ -146,17 +154,17 @@ def peak_inside(
     if not ((grows_in and grows_out) or (d0 * d1 < 0.0 and (grows_in or grows_out))):
         return 0.0
     u, bend = cubic_peak(d0, s0 * h, d1, s1 * h)
-    return height(pen, q, address, place, jet, t0, t1, t0 + u * h, bend / (h * h))
+    return height(pen, q, source, t0, t1, t0 + u * h, bend / (h * h))
 
 
 @kernel
 def extremes_between(
-    pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], t0: float, d0: float,
-    s0: float, l0: float, t1: float, d1: float, s1: float, l1: float,
+    pen: Pencil, q: float, source: Source, t0: float, d0: float,
+    s0: float, l0: float, t1: float, d1: float, s1: float, l1: float, space: Space,
 ) -> tuple[float, float]:  # fmt: skip
     """(max d, min d) between two samples that are too far apart to trust: cut until they are not."""
     top, bottom = max(d0, 0.0), min(d0, 0.0)
-    pending = np.empty((DEPTH, 4))
+    pending = space[1]
     pending[0, 0], pending[0, 1], pending[0, 2], pending[0, 3] = t1, d1, s1, l1
     open_ends, cuts = 1, 0
     while open_ends > 0:
@@ -166,7 +174,7 @@ def extremes_between(
         if (both or apart(l0, leaning)) and open_ends < DEPTH and cuts < CUTS:
             cuts += 1
             middle = 0.5 * (t0 + t)
-            seen = view(pen, address, place, jet, middle)
+            seen = view(pen, source, middle)
             value, _, slope = displacement(q, seen)
             if not math.isfinite(value):
                 return math.nan, math.nan
@@ -174,7 +182,7 @@ def extremes_between(
             new[0], new[1], new[2], new[3] = middle, value, slope, lean(slope, value, seen)
             open_ends += 1
             continue
-        value = peak_inside(pen, q, address, place, jet, t0, d0, s0, t, d, s)
+        value = peak_inside(pen, q, source, t0, d0, s0, t, d, s)
         if math.isnan(value):
             return math.nan, math.nan
         top, bottom = max(top, value, d), min(bottom, value, d)
@@ -185,10 +193,10 @@ def extremes_between(
 
 @kernel
 def extremes(
-    pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float,
-    rows: np.ndarray[Any, Any], count: int,
+    pen: Pencil, q: float, source: Source, a: float, b: float,
+    space: Space, count: int,
 ) -> tuple[float, float]:  # fmt: skip
-    """(max d, min d) of the member Q over the arc seen in ``rows``; NaN if a normal misses its arc.
+    """(max d, min d) of the member Q over the arc seen in ``space``; NaN if a normal misses its arc.
 
     Every interval between neighbouring samples in which |d| must have a peak is searched.
     """
@@ -197,20 +205,20 @@ def extremes(
     for i in range(count + 1):
         t1, d1, s1, l1 = b, 0.0, 0.0, 0.0
         if i < count:
-            seen = at_row(rows, i)
-            t1 = rows[i, ROW_SIZE - 1]
+            seen = at_row(space[0], i)
+            t1 = space[0][i, ROW_SIZE - 1]
             d1, _, s1 = displacement(q, seen)
             if not math.isfinite(d1):
                 return math.nan, math.nan
             l1 = lean(s1, d1, seen)
             top, bottom = max(top, d1), min(bottom, d1)
         if apart(l0, l1) or (d0 * d1 < 0.0 and s0 * d0 > 0.0 and s1 * d1 < 0.0):
-            above, below = extremes_between(pen, q, address, place, jet, t0, d0, s0, l0, t1, d1, s1, l1)
+            above, below = extremes_between(pen, q, source, t0, d0, s0, l0, t1, d1, s1, l1, space)
             if math.isnan(above):
                 return math.nan, math.nan
             top, bottom = max(top, above), min(bottom, below)
         else:
-            value = peak_inside(pen, q, address, place, jet, t0, d0, s0, t1, d1, s1)
+            value = peak_inside(pen, q, source, t0, d0, s0, t1, d1, s1)
             if math.isnan(value):
                 return math.nan, math.nan
             top, bottom = max(top, value), min(bottom, value)
@@ -220,56 +228,62 @@ def extremes(
 
 @kernel
 def measure(
-    pen: Pencil, q: float, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float,
-    points: int, rows: np.ndarray[Any, Any],
+    pen: Pencil, q: float, source: Source, a: float, b: float,
+    points: int, space: Space,
 ) -> float:  # fmt: skip
-    """max |d| of the member Q over [a, b], from ``points`` samples or more; infinite if a normal misses its arc.
+    """max |d| of the member Q (of the chord for Q = 0) over [a, b], from ``points`` samples or more; infinite if a normal misses its arc.
 
     An upper bound of the Hausdorff distance as far as the peaks between the samples have been found:
     an estimate, not a certificate.
     """
-    count = look(pen, address, place, jet, a, b, points, rows)
+    count = look(pen, source, a, b, points, space)
     if count < 0:
         return math.inf
-    top, bottom = extremes(pen, q, address, place, jet, a, b, rows, count)
+    if q == 0.0:
+        return float(np.abs(space[0][:count, 1]).max())  # |l₁|, the distance from the chord
+    top, bottom = extremes(pen, q, source, a, b, space, count)
     return math.inf if math.isnan(top) else max(top, -bottom)
 
 
 @kernel
 def minimax(
-    primitive: int, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, start: Frame,
-    b: float, end: Frame, rows: np.ndarray[Any, Any],
+    primitive: int, source: Source, a: float, start: Frame,
+    b: float, end: Frame, space: Space,
 ) -> tuple[float, float]:  # fmt: skip
     """(error, Q) of the best conic, or of the parabola, of the arc [a, b]; error infinite if none.
+
+    Q = 0 is the chord, of an arc that is straight to rounding.
 
     d decreases or increases with Q at every point at once, so max d + min d has one zero, between
     the least and the greatest Q of the members through the samples.
     """
     pen = pencil(start, end)
+    if is_flat(pen):
+        return measure(pen, 0.0, source, a, b, GRID, space), 0.0
     if not is_proper(pen):
         return math.inf, math.nan
-    count = look(pen, address, place, jet, a, b, GRID, rows)
+    count = look(pen, source, a, b, GRID, space)
     if count < 0:
         return math.inf, math.nan
     if primitive == PARABOLA:
         if not pen[13] > 0.0:
             return math.inf, math.nan
         q = generated.parabola(pen[11], pen[12], pen[13])
-        top, bottom = extremes(pen, q, address, place, jet, a, b, rows, count)
+        top, bottom = extremes(pen, q, source, a, b, space, count)
         return (math.inf if math.isnan(top) else max(top, -bottom)), q
     low, high = math.inf, 0.0
     for i in range(count):
-        q = through(at_row(rows, i))
+        q = through(at_row(space[0], i))
         if math.isnan(q):
             return math.inf, math.nan
         low, high = min(low, q), max(high, q)
-    return balanced(pen, address, place, jet, a, b, rows, count, low, high)
+    return balanced(pen, source, a, b, space, count, low, high)
 
 
 @kernel
 def balanced(
-    pen: Pencil, address: int, place: Place, jet: np.ndarray[Any, Any], a: float, b: float,
-    rows: np.ndarray[Any, Any], count: int, low: float, high: float,
+    pen: Pencil, source: Source, a: float, b: float,
+    space: Space, count: int, low: float, high: float,
 ) -> tuple[float, float]:  # fmt: skip
     """(error, Q) with max d = −min d, Q in [low, high]: false position, bisection where it is slow."""
     excess_low, excess_high = math.nan, math.nan
@@ -281,7 +295,7 @@ def balanced(
         if not weight(pen, q) > -1.0:  # an unbounded arc: w < 0 falls with Q
             high, excess_high, error = q, math.nan, math.inf
             continue
-        top, bottom = extremes(pen, q, address, place, jet, a, b, rows, count)
+        top, bottom = extremes(pen, q, source, a, b, space, count)
         if math.isnan(top):
             return math.inf, q
         excess, error = top + bottom, max(top, -bottom)

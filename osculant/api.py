@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, Literal
 
 from osculant.asymptotics import Complexity, complexity_of
-from osculant.cas.errors import DomainError, ToleranceError
+from osculant.cas.errors import DomainError
 from osculant.plane import PlaneCurve
 from osculant.spline import Spline
-from osculant.stretches import BREAKS, Division, Stretch, divide
-
-#: tolerances below this many rounding units of the largest coordinate are refused
-FLOOR_ULPS = 1000
-#: the window [ε(1−δ), ε] of a piece's error: δ is the larger of this …
-WINDOW = 1e-6
-#: … and this many rounding units of the largest coordinate, in parts of ε
-WINDOW_ULPS = 32
-
+from osculant.stretches import BREAKS, Division, check_finite, divide
+from osculant.tolerances import check_floor, checked_tolerance
 
 def curve(formulas: Any, low: Any = None, high: Any = None) -> PlaneCurve:
     """A plane curve from its formulas and, to approximate it, the ends of its interval.
@@ -72,22 +64,19 @@ def approximate(
     (9, 9, 'by theory')
     """
     _check_choices(primitive, metric)
-    tolerance = _checked_tolerance(tolerance)
+    tolerance = checked_tolerance(tolerance)
+    check_finite(curve)
+
+    from osculant.extent import extent
+    from osculant.fitting import Fitting  # these load the kernels: only once something is to be fitted
+
+    size = extent(curve)
+    check_floor(tolerance, size.largest)
     division = divide(curve, primitive, split_at)
-
-    from osculant.fitting import Fitting  # compiles kernels: only once something is to be fitted
-
-    fitting = Fitting(curve, primitive, tolerance, division)
-    floor = FLOOR_ULPS * fitting.ulp
-    if tolerance < floor:
-        raise ToleranceError(
-            f"The tolerance {tolerance:g} is below the rounding floor {floor:.3g} of coordinates "
-            f"as large as {fitting.largest:.6g}: choose at least that."
-        )
-    delta = max(WINDOW, WINDOW_ULPS * fitting.ulp / tolerance)
+    fitting = Fitting(curve, primitive, tolerance, division, size)
     pieces, least = [], []
     for stretch in division.stretches:
-        found = fitting.pieces(stretch, delta, progress)
+        found = fitting.pieces(stretch, progress)
         pieces += found
         least.append(len(found) if stretch.kind == "exact" else 1)
     law = partial(complexity_of, curve, primitive, division, tuple(least))
@@ -142,13 +131,3 @@ def _check_choices(primitive: str, metric: str) -> None:
         raise DomainError(f"The primitive {primitive!r} is unknown: choose one of {', '.join(BREAKS)}.")
     if metric != "hausdorff":
         raise DomainError(f"The metric {metric!r} is unknown: choose hausdorff.")
-
-
-def _checked_tolerance(tolerance: Any) -> float:
-    try:
-        value = float(tolerance)
-    except (TypeError, ValueError):
-        raise ToleranceError(f"The tolerance {tolerance!r} is not a number: give one such as 1e-6.") from None
-    if not (value > 0 and math.isfinite(value)):
-        raise ToleranceError(f"The tolerance is {value:g}: give a positive finite number such as 1e-6.")
-    return value

@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from osculant.tolerances import checked_tolerance
+
 if TYPE_CHECKING:
     from osculant.plane import PlaneCurve
     from osculant.stretches import Division
@@ -37,12 +39,12 @@ class Complexity:
         return math.fsum(float(c) for c in self.constants)
 
     def predicted(self, tolerance: float) -> float:
-        """The real number C ε^{−1/order}."""
-        return float(self.constant * tolerance ** (-1.0 / self.order))
+        """The real number C ε^{−1/order}; raises ToleranceError unless ε is positive and finite."""
+        return float(self.constant * checked_tolerance(tolerance) ** (-1.0 / self.order))
 
     def predicted_pieces(self, tolerance: float) -> int:
         """The whole number: rounded up on every stretch, at least what the stretch needs."""
-        scale = tolerance ** (-1.0 / self.order)
+        scale = checked_tolerance(tolerance) ** (-1.0 / self.order)
         return sum(
             max(n, math.ceil(float(c) * scale)) for c, n in zip(self.constants, self.least, strict=True)
         )

@@ -179,9 +179,9 @@ def complexity(
     low, high = both_ends(low, high)
 
     import osculant
-    from osculant.api import _checked_tolerance
+    from osculant.tolerances import checked_tolerance
 
-    allowed = None if tolerance is None else _checked_tolerance(tolerance)
+    allowed = None if tolerance is None else checked_tolerance(tolerance)
     curve = osculant.curve(formula, low, high)
     law = osculant.complexity(curve, primitive, split_at=split_at or ())
     if not as_json:

@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     from osculant.cas.balls import CurveBalls
     from osculant.cas.expression import Node
 
-#: digits that may be asked for
-MOST_DIGITS = 10_000
+#: digits that may be asked for; Python converts no integer of more than 4300 digits to text
+MOST_DIGITS = 4000
 #: bits spent beyond the digits asked for at first, and how often they are doubled at most
 GUARD, DOUBLINGS = 64, 4
 

@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from osculant.cas.errors import DomainError, UndecidedError
+from osculant.cas.errors import UndecidedError
 from osculant.kernels import bitangent, exchange, greedy, scan
 from osculant.kernels.curve import JET_SIZE, sample_many
 from osculant.kernels.jit import announce
 from osculant.pieces import Piece, classify
 from osculant.stretches import Division, Frame, Stretch
+from osculant.tolerances import window
 
 if TYPE_CHECKING:
+    from osculant.extent import Extent
     from osculant.plane import PlaneCurve
 
-#: samples that tell the size of a curve
-SIZING = 257
 #: pieces per call of the kernel
 CHUNK = 4096
 #: more pieces than this are not made
@@ -46,45 +46,29 @@ class Job(NamedTuple):
 
 
 class Fitting:
-    """One approximation: a curve, a primitive and a tolerance, with the kernels' local coordinates.
+    """One approximation: a divided curve, a primitive and a tolerance, in the kernels' local coordinates."""
 
-    ``largest`` is the largest absolute coordinate of the curve (of its samples), ``ulp`` its rounding unit.
-    """
-
-    def __init__(self, curve: PlaneCurve, primitive: str, tolerance: float, division: Division) -> None:
+    def __init__(
+        self, curve: PlaneCurve, primitive: str, tolerance: float, division: Division, size: Extent
+    ) -> None:
         announce()
-        self.curve, self.tolerance = curve, tolerance
-        self.primitive = primitive
+        self.curve, self.primitive, self.tolerance = curve, primitive, tolerance
         self.division = division
-        first, last = division.stretches[0], division.stretches[-1]
-        points = self._jets(np.linspace(first.a, last.b, SIZING))[:, [0, 3]]
-        points = np.vstack([points, [f.point for s in division.stretches for f in (s.start, s.end)]])
-        finite = points[np.isfinite(points).all(axis=1)]
-        self.largest = float(np.abs(finite).max())
-        self.ulp = math.ulp(self.largest)
-        if len(finite) < len(points) - 2 or not math.isfinite(self.ulp):
-            raise DomainError(
-                f"The curve {curve.text} leaves the range of double numbers on its interval: "
-                "scale it or take a smaller interval."
-            )
-        self.origin = first.start.point
-        size = float(np.ptp(finite, axis=0).max())
-        self.scale = 2.0 ** -math.frexp(size)[1] if size > 0 else 1.0
+        self.origin, self.scale = size.origin, size.scale
+        self.window = window(tolerance, size.largest)
 
     def _jets(self, times: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
         out = np.empty((len(times), JET_SIZE))
         sample_many(self.curve.compiled.address, times, out)
         return out
 
-    def pieces(
-        self, stretch: Stretch, delta: float, progress: Callable[[float], None] | None
-    ) -> list[Piece]:
-        """The pieces of one stretch; errors of inner pieces within [ε(1−δ), ε(1−δ/4)]."""
+    def pieces(self, stretch: Stretch, progress: Callable[[float], None] | None) -> list[Piece]:
+        """The pieces of one stretch; errors of inner pieces within the window of the tolerance."""
         if stretch.kind == "segment":
             return [Piece.segment((stretch.a, stretch.b), stretch.start.point, stretch.end.point)]
         if stretch.kind == "exact":
             return self._exact_pieces(stretch)
-        return self._greedy_pieces(stretch, delta, progress)
+        return self._greedy_pieces(stretch, progress)
 
     def _place(self, stretch: Stretch) -> tuple[float, float, float, float]:
         return (*self.origin, self.scale, stretch.bend)
@@ -98,9 +82,8 @@ class Fitting:
             ty * bend,
         )
 
-    def job(self, stretch: Stretch, delta: float) -> Job:
+    def job(self, stretch: Stretch) -> Job:
         """The kernel's arguments for a stretch from its beginning."""
-        aim = self.tolerance * self.scale
         return Job(
             PRIMITIVES[self.primitive],
             self.curve.compiled.address,
@@ -109,15 +92,13 @@ class Fitting:
             self._local(stretch.start, stretch.bend),
             stretch.b,
             self._local(stretch.end, stretch.bend),
-            aim * (1 - 7 / 8 * delta),
-            aim * (1 - delta / 4),
+            self.window[0] * self.scale,
+            self.window[1] * self.scale,
             (stretch.b - stretch.a) / 8,
         )
 
-    def _greedy_pieces(
-        self, stretch: Stretch, delta: float, progress: Callable[[float], None] | None
-    ) -> list[Piece]:
-        job, pieces = self.job(stretch, delta), []
+    def _greedy_pieces(self, stretch: Stretch, progress: Callable[[float], None] | None) -> list[Piece]:
+        job, pieces = self.job(stretch), []
         first, last = self.division.stretches[0].a, self.division.stretches[-1].b
         table = np.empty((CHUNK, greedy.COLUMNS))
         while job.a < stretch.b:
@@ -135,13 +116,13 @@ class Fitting:
                     f"More than {MOST_PIECES} pieces are needed: choose a larger tolerance "
                     "or a shorter interval."
                 )
-            start = greedy.frame(job.address, job.place, np.empty(JET_SIZE), reached)
+            start = greedy.frame((job.address, job.place, np.empty(JET_SIZE)), reached)
             job = job._replace(a=reached, start=start, length=table[count - 1, 1] - table[count - 1, 0])
         return pieces
 
     def _piece(self, row: np.ndarray[Any, Any], bend: float) -> Piece:
         """A row of the kernel's table (`greedy.record`) in the user's coordinates."""
-        a, b, _, error, _, x0, y0, tx, ty, x2, y2, w, reach = (float(v) for v in row)
+        a, b, q, error, _, x0, y0, tx, ty, x2, y2, w, reach = (float(v) for v in row)
         kind = classify(w)
         if self.primitive == "parabola":
             kind, w = "parabola", 1.0
@@ -150,24 +131,26 @@ class Fitting:
         def user(x: float, y: float) -> tuple[float, float]:
             return x * back + self.origin[0], y * back * bend + self.origin[1]
 
-        start = user(x0, y0)
+        start, end = user(x0, y0), user(x2, y2)
+        if q == 0:
+            return Piece.segment((a, b), start, end, error * back)
         reach *= back
         middle = (w * start[0] + reach * tx, w * start[1] + reach * ty * bend)
-        return Piece(kind, (a, b), start, user(x2, y2), middle, w, error * back)
+        return Piece(kind, (a, b), start, end, middle, w, error * back)
 
     def _exact_pieces(self, stretch: Stretch) -> list[Piece]:
         """The least number of arcs turning less than π each, of equal affine length, of a conic itself."""
-        address, place = self.curve.compiled.address, self._place(stretch)
-        jet, rows = np.empty(JET_SIZE), np.empty((scan.ROWS, scan.ROW_SIZE))
+        source = (self.curve.compiled.address, self._place(stretch), np.empty(JET_SIZE))
+        space = scan.workspace()
         knots = self._equal_affine_lengths(stretch)
-        frames = [greedy.frame(address, place, jet, t) for t in knots[1:-1]]
+        frames = [greedy.frame(source, t) for t in knots[1:-1]]
         frames = [self._local(stretch.start, stretch.bend), *frames, self._local(stretch.end, stretch.bend)]
         pieces = []
         row = np.empty(greedy.COLUMNS)
         for a, b, start, end in zip(knots, knots[1:], frames, frames[1:]):
             pencil = bitangent.pencil(start, end)
-            q = bitangent.through(bitangent.view(pencil, address, place, jet, a + 0.4871 * (b - a)))
-            attained = scan.measure(pencil, q, address, place, jet, a, b, scan.GRID, rows) / self.scale
+            q = bitangent.through(bitangent.view(pencil, source, a + 0.4871 * (b - a)))
+            attained = scan.measure(pencil, q, source, a, b, scan.GRID, space) / self.scale
             if not attained <= self.tolerance:
                 raise UndecidedError(
                     f"The curve {self.curve.text} looks like a conic, but its own arc leaves it by "

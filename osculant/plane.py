@@ -32,7 +32,10 @@ def as_constant(value: Any, what: str) -> Node:
     if isinstance(value, Node):
         return value
     if isinstance(value, str):
-        return parse_constant(value)
+        try:
+            return parse_constant(value)
+        except FormulaError as error:
+            raise FormulaError(f"{what}: {error}") from None
     if isinstance(value, float):
         if not math.isfinite(value):
             raise FormulaError(f"{what} is {value}: give a finite number or a formula such as 2*pi.")
@@ -87,6 +90,14 @@ class PlaneCurve:
         if self._ends is None:
             raise DomainError(f"The curve {self.text} has no interval: give both ends, such as 0 and 2*pi.")
         return self._ends
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """The ends of the interval as the nearest doubles."""
+        from osculant.cas.balls import constant
+
+        low, high = (float(constant(end).mid()) for end in self.ends)
+        return low, high
 
     @cached_property
     def balls(self) -> CurveBalls:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
-from osculant.cas.errors import DomainError, OsculantError
+from osculant.cas.errors import DomainError, OsculantError, UndecidedError
 from osculant.files import write_whole
 from osculant.pieces import Kind, Piece, combine
 
@@ -117,17 +117,22 @@ class Spline:
 
     @property
     def predicted(self) -> float | None:
-        """The number of pieces that theory predicts, as a real number; None without a complexity."""
+        """The number of pieces that theory predicts, as a real number; None if that is unknown."""
         return None if self._prediction is None else self._prediction.predicted
 
     @property
     def predicted_pieces(self) -> int | None:
-        """The same in whole pieces, rounded up on each stretch; None without a complexity."""
+        """The same in whole pieces, rounded up on each stretch; None if that is unknown."""
         return None if self._prediction is None else self._prediction.predicted_pieces
 
     @cached_property
     def _prediction(self) -> Prediction | None:
-        return None if self.complexity is None else self.complexity()
+        if self.complexity is None:
+            return None
+        try:
+            return self.complexity()
+        except UndecidedError:  # an integral that did not settle is no reason to lose the spline
+            return None
 
     @cached_property
     def _table(self) -> tuple[Floats, ...]:

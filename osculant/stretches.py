@@ -63,6 +63,20 @@ class Division:
     proved: bool
 
 
+def check_finite(curve: PlaneCurve) -> None:
+    """Raises DomainError, naming the parameter value, where the curve is undefined or not smooth.
+
+    >>> from osculant.plane import PlaneCurve
+    >>> check_finite(PlaneCurve("t, 1/t", -1, 1))
+    Traceback (most recent call last):
+    ...
+    osculant.cas.errors.DomainError: The curve is undefined or infinite at t = 0 (a division by zero): take an interval without it.
+    """
+    from osculant.cas.special import require_finite
+
+    require_finite(curve.balls, *curve.ends)
+
+
 def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> Division:
     """Divide the curve for a spline of the primitive, also at the user's points.
 
@@ -75,6 +89,7 @@ def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> D
     from osculant.cas.balls import PRECISION, constant, precision
     from osculant.cas.special import SpecialPoint, special_points
 
+    check_finite(curve)
     kind, proved = _kind(curve, primitive)
     names = ["cusp"]
     names += ["inflection"] if kind != "segment" else []

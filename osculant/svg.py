@@ -40,7 +40,7 @@ LARGEST_AMPLIFICATION = 1e3  # of the rounding of end points; every factor of te
 LARGEST_HALF_ANGLE = math.acos(0.4)  # of a written arc, eccentric: 66°
 MOST_HALVINGS = 3  # of an elliptic piece: two for the angle, one more near the rounding floor
 UNIT = 2.0**-53  # the relative error of rounding
-WIDTH = 800  # of the picture, pixels
+SIDE = 800  # of the picture's longer side, pixels
 MARGIN = 0.04  # around the curve, relative to its larger extent
 
 
@@ -105,19 +105,20 @@ def svg(
     width, height = right - left + 2 * margin, top - bottom + 2 * margin
     digits = 2 - math.floor(math.log10(margin))
     view = " ".join(number(value, digits) for value in (left - margin, -top - margin, width, height))
-    stroke = 'stroke-linecap="round" stroke-linejoin="round" vector-effect="non-scaling-stroke"'
+    pixel = max(width, height) / SIDE
+    stroke = 'stroke-linecap="round" stroke-linejoin="round"'
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view}" width="{WIDTH}" '
-        f'height="{max(1, round(WIDTH * height / width))}">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view}" width="{math.ceil(width / pixel)}" '
+        f'height="{math.ceil(height / pixel)}">',
         f"<title>{_text(spline.curve.text)}</title>",
         f"<desc>{_text(_description(spline, reserve, command))}</desc>",
         '<g transform="scale(1,-1)" fill="none">',
-        f'<path id="spline" stroke="#1f4e79" stroke-width="1.5" {stroke} d="{path}"/>',
+        f'<path id="spline" stroke="#1f4e79" stroke-width="{1.5 * pixel:.3g}" {stroke} d="{path}"/>',
     ]
     if knots:
         marks = "\n".join(f"M{_pair(dot, decimals)}h0" for dot in dots)
-        lines.append(f'<path id="knots" stroke="#c0392b" stroke-width="5" {stroke} d="{marks}"/>')
+        lines.append(f'<path id="knots" stroke="#c0392b" stroke-width="{5 * pixel:.3g}" {stroke} d="{marks}"/>')
     return "\n".join([*lines, "</g>", "</svg>", ""])
 
 

@@ -1,0 +1,56 @@
+"""How large a curve is, from samples: for rounding floors and for the kernels' local coordinates."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from osculant.cas.errors import DomainError
+
+if TYPE_CHECKING:
+    from osculant.plane import PlaneCurve
+
+#: samples that tell the size of a curve
+SAMPLES = 257
+
+
+@dataclass(frozen=True)
+class Extent:
+    """Size of a curve: its first point, largest absolute coordinate and larger extent."""
+
+    origin: tuple[float, float]
+    largest: float
+    size: float
+
+    @property
+    def scale(self) -> float:
+        """The power of two that makes the curve's size about 1."""
+        return 2.0 ** -math.frexp(self.size)[1] if self.size > 0 else 1.0
+
+
+def extent(curve: PlaneCurve) -> Extent:
+    """Sample a curve that is finite on its interval; raises DomainError if doubles cannot hold it.
+
+    >>> from osculant.plane import PlaneCurve
+    >>> extent(PlaneCurve("t, t^2", 0, 3))
+    Extent(origin=(0.0, 0.0), largest=9.0, size=9.0)
+    """
+    from osculant.kernels.curve import JET_SIZE, sample_many
+
+    a, b = curve.interval
+    jets = np.empty((SAMPLES, JET_SIZE))
+    sample_many(curve.compiled.address, np.linspace(a, b, SAMPLES), jets)
+    # a double next to an end may lie outside the interval, where the formula need not be defined
+    points = jets[:, [0, 3]]
+    if not np.isfinite(points[1:-1]).all():
+        raise DomainError(
+            f"The curve {curve.text} leaves the range of double numbers on its interval: "
+            "scale it or take a smaller interval."
+        )
+    points = points[np.isfinite(points).all(axis=1)]
+    return Extent(
+        (float(points[0, 0]), float(points[0, 1])), float(np.abs(points).max()), float(np.ptp(points, axis=0).max())
+    )
