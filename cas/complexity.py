@@ -20,7 +20,7 @@ from osculant.cas.leading import error_constant
 
 #: steps of the quadrature are 2^−COARSEST … 2^−FINEST; then the interval is halved, DEPTH times at most
 COARSEST, FINEST, DEPTH = 2, 6, 24
-#: two steps that agree to this end the quadrature; the error after the second is about its square
+#: two steps that agree to this end the quadrature; the error after the second is less by this factor
 AGREEMENT = 1e-10
 #: nodes nearer to an end than this part of the interval are left out: at the worst end singularity,
 #: t^(−2/5), they weigh less than 1e-18
@@ -78,10 +78,13 @@ def complexity_constant(curve: CurveBalls, primitive: str, low: Any, high: Any) 
             value, change = double_exponential(density, a, b)
             agreed = AGREEMENT * max(abs(float(value)), abs(float(total)))
             if change <= agreed:
-                total, error = total + value, error + change * (change / agreed if agreed else 0.0) * AGREEMENT
+                total, error = (
+                    total + value,
+                    error + change * AGREEMENT,
+                )
             elif depth == DEPTH:
                 raise UndecidedError(
-                    f"The complexity integral did not settle near t = {float(a):.10g}: split the interval there."
+                    f"The complexity integral did not settle near t = {float(a):.10g}: split there."
                 )
             else:  # a singularity beside the real line: it is relatively farther from each half
                 middle = (a + b) / 2
@@ -119,7 +122,7 @@ def nodes(level: int) -> tuple[tuple[Any, Any], ...]:
     """
     with precision(PRECISION):
         step, pi = arb(2) ** -level, arb.pi()
-        found = []
+        found: list[tuple[Any, Any]] = []
         index = 0
         while True:
             if level == COARSEST or index % 2:

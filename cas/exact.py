@@ -42,7 +42,10 @@ class Truncated:
             return Truncated([other * a for a in self.terms])
         n = len(self.terms)
         return Truncated(
-            [sum((self.terms[j] * other.terms[k - j] for j in range(k + 1)), 0 * self.terms[0]) for k in range(n)]
+            [
+                sum((self.terms[j] * other.terms[k - j] for j in range(k + 1)), 0 * self.terms[0])
+                for k in range(n)
+            ]
         )
 
     __rmul__ = __mul__

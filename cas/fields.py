@@ -40,10 +40,9 @@ class Balls:
     """
 
     def __init__(self) -> None:
-        from flint import arb, ctx, fmpq
+        from flint import arb
 
-        self._arb, self._fmpq, self._context = arb, fmpq, ctx
-        self._known: dict[tuple[Fraction, int], Any] = {}
+        self._arb = arb
 
     def number(self, value: Fraction) -> Any:
         """A ball around a rational.
@@ -51,10 +50,8 @@ class Balls:
         >>> Balls().number(Fraction(1, 2))
         0.500000000000000
         """
-        key = value, self._context.prec
-        if key not in self._known:
-            self._known[key] = self._arb(self._fmpq(value.numerator, value.denominator))
-        return self._known[key]
+        above = self._arb(value.numerator)
+        return above if value.denominator == 1 else above / value.denominator
 
     def constant(self, name: str) -> Any:
         """A ball around pi or e."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 
-class copysign(sp.Function):
+class copysign(sp.Function):  # type: ignore[misc]
     """copysign(x, y): |x| with the sign of y; symbolic, printed as the C function of that name."""
 
     nargs = 2

@@ -3,8 +3,8 @@
 In the affine frame the curve is y = x²/2 + kx⁴/8 + (dk/dr)x⁵/40 + … (Lemma 2.2.2).  A parabola with the same
 frame lacks the x⁴ term; a conic that has it lacks the x⁵ term.  Bitangent over an arc of affine length ρ,
 the difference is that coefficient times the polynomial with the double zeros at the ends (and, for the
-conic, a zero between, in the middle where both lobes are equal).  With ρ = κ^{1/3}σ and the factor κ^{1/3} from
-affine to Euclidean normal this gives Theorem 3.6.1: |k|κ^{5/3}σ⁴/128 and |dk/dr|κ²σ⁵/(2000√5).
+conic, a zero between, in the middle where both lobes are equal).  With ρ = κ^{1/3}σ and the factor κ^{1/3}
+from affine to Euclidean normal this gives Theorem 3.6.1: |k|κ^{5/3}σ⁴/128 and |dk/dr|κ²σ⁵/(2000√5).
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ def canonical_coefficients() -> tuple[Fraction, Fraction]:
     found = []
     for k, slope, power in ((1, 0, 4), (0, 1, 5)):
         # α‴ = −kα′, so α⁽⁴⁾ = −k′t − kn and α⁽⁵⁾ = … − 2k′n: the components along t and n (2.11)
-        along = [0, 1, 0, fmpq(-k, 6), fmpq(-slope, 24)]
-        across = [0, 0, fmpq(1, 2), 0, fmpq(-k, 24), fmpq(-2 * slope, 120)]
+        along: list[Any] = [0, 1, 0, fmpq(-k, 6), fmpq(-slope, 24)]
+        across: list[Any] = [0, 0, fmpq(1, 2), 0, fmpq(-k, 24), fmpq(-2 * slope, 120)]
         graph = fmpq_series(across)(fmpq_series(along).reversion())
         found.append(Fraction(int(graph[power].p), int(graph[power].q)))
     return found[0], found[1]
@@ -44,7 +44,8 @@ def error_constant(primitive: str) -> Any:
     x = fmpq_poly([0, 1])
     shape = x**2 * (1 - x) ** 2 * (x - fmpq(1, 2)) ** crossings
     # the peaks are among the real zeros of the derivative; its zeros 0 and 1 have height 0
-    peaks = [root.real for root, _ in shape.derivative().complex_roots() if root.imag == 0]
+    roots: list[Any] = shape.derivative().complex_roots()
+    peaks = [root.real for root, _ in roots if root.imag == 0]
     heights = [abs(arb_value(shape, x)) for x in peaks]
     top = max(heights, key=float)
     return top * fmpq(coefficient.numerator, coefficient.denominator)

@@ -5,7 +5,8 @@
 * for parabolas k = 0, for conics dk/dr = 0 (sextactic points).
 
 Simple zeros are isolated in ball arithmetic.  Multiple zeros (all cusps are) are decided exactly where they
-lie at a simple rational, at a simple multiple of pi, or at an end of the interval; the rest is called undecided.
+lie at a simple rational, at a simple multiple of pi, or at an end of the interval; the rest is called
+undecided.
 """
 
 from __future__ import annotations
@@ -20,7 +21,16 @@ from osculant.cas.balls import PRECISION, CurveBalls, Form, ball, constant, prec
 from osculant.cas.errors import DomainError
 from osculant.cas.exact import order_of_zero, simple_numbers
 from osculant.cas.expression import Node
-from osculant.cas.isolate import SMALLEST, Box, Isolation, differentiated, first_infinite, isolate, refine, taylor_form
+from osculant.cas.isolate import (
+    SMALLEST,
+    Box,
+    Isolation,
+    differentiated,
+    first_infinite,
+    isolate,
+    refine,
+    taylor_form,
+)
 
 #: form over jets and the order of the jet it needs
 FORMS: Mapping[str, tuple[Form, int]] = {
@@ -69,7 +79,7 @@ def vanishes(curve: CurveBalls, name: str, low: Any, high: Any) -> bool:
 
 
 def require_finite(curve: CurveBalls, low: Node, high: Node) -> None:
-    """Raises DomainError, naming the parameter value, unless all derivatives needed are finite on [low, high]."""
+    """Raises DomainError, naming the parameter value, unless the derivatives are finite on [low, high]."""
     with precision(PRECISION):
         infinite = first_infinite(_Evaluation(curve), tuple(FORMS), constant(low), constant(high))
         if infinite is not None:
@@ -219,5 +229,7 @@ def undefined(curve: CurveBalls, low: Any, high: Any, ends: Sequence[Node]) -> s
     value = curve.coefficients(at, 0)
     reason = f"at t = {float(at.mid()):.10g} ({curve.explain(whole)})"
     if all(row[0].is_finite() for row in value):
-        return f"The curve has no finite derivatives {reason}: take another parameter, or an interval without it."
+        return (
+            f"The curve has no finite derivatives {reason}: reparametrise it, or take an interval without it."
+        )
     return f"The curve is undefined or infinite {reason}: take an interval without it."

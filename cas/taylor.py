@@ -9,6 +9,7 @@ order, so nothing swells.  A program is data: `Program.run` interprets it in any
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -26,10 +27,17 @@ class Field(Protocol):
     rational q and x > 0.  Out of their domain functions give NaN or raise, as the field prefers.
     """
 
-    def number(self, value: Fraction) -> Any: ...
-    def constant(self, name: str) -> Any: ...
-    def function(self, name: str) -> Callable[[Any], Any]: ...
-    def power(self, base: Any, exponent: Fraction) -> Any: ...
+    def number(self, value: Fraction) -> Any:
+        """The number of the field that a rational is."""
+
+    def constant(self, name: str) -> Any:
+        """pi or e."""
+
+    def function(self, name: str) -> Callable[[Any], Any]:
+        """An elementary function by its name."""
+
+    def power(self, base: Any, exponent: Fraction) -> Any:
+        """base**exponent for base > 0."""
 
 
 #: elementary functions that instructions may call; ``sign`` is NaN at 0
@@ -48,7 +56,7 @@ class Instruction:
 
     op: str
     args: tuple[int, ...] = ()
-    value: Fraction | str | None = None
+    value: Any = None
 
 
 @dataclass(frozen=True)
@@ -67,8 +75,9 @@ class Program:
         >>> from osculant.cas.expression import variable
         >>> from osculant.cas.fields import Rationals
         >>> t = variable("t")
-        >>> [[int(d) for d in derivatives] for derivatives in program([t**3], 3).run(Fraction(2), Rationals())]
-        [[8, 12, 12, 6]]
+        >>> [cube] = program([t**3], 3).run(Fraction(2), Rationals())
+        >>> [int(derivative) for derivative in cube]
+        [8, 12, 12, 6]
         """
         values = self.trace(at, field)
         return [[values[index] for index in output] for output in self.outputs]
@@ -78,38 +87,36 @@ class Program:
         values: list[Any] = []
         for step in self.instructions:
             op, args = step.op, step.args
-            if op == "mul":
-                value = values[args[0]] * values[args[1]]
-            elif op == "add":
-                value = values[args[0]] + values[args[1]]
-            elif op == "sub":
-                value = values[args[0]] - values[args[1]]
-            elif op == "div":
-                value = values[args[0]] / values[args[1]]
-            elif op == "neg":
-                value = -values[args[0]]
+            if op in _ARITHMETIC:
+                value = _ARITHMETIC[op](*[values[index] for index in args])
             elif op == "number":
-                assert isinstance(step.value, Fraction)
                 value = field.number(step.value)
             elif op == "variable":
                 value = at
             elif op == "call":
-                value = field.function(str(step.value))(values[args[0]])
+                value = field.function(step.value)(values[args[0]])
             elif op == "power":
-                assert isinstance(step.value, Fraction)
                 value = field.power(values[args[0]], step.value)
             else:
-                value = field.constant(str(step.value))
+                value = field.constant(step.value)
             values.append(value)
         return values
 
 
-def program(
-    formulas: Sequence[Node], order: int, variable: str = "t", normalised: bool = False
-) -> Program:
+_ARITHMETIC: dict[str, Callable[..., Any]] = {
+    "mul": operator.mul,
+    "add": operator.add,
+    "sub": operator.sub,
+    "div": operator.truediv,
+    "neg": operator.neg,
+}
+
+
+def program(formulas: Sequence[Node], order: int, variable: str = "t", normalised: bool = False) -> Program:
     """The program for the derivatives 0…order of the formulas in one variable.
 
-    ``normalised`` asks for the Taylor coefficients f⁽ᵏ⁾/k! instead.  Raises FormulaError if a formula has another variable.
+    ``normalised`` asks for the Taylor coefficients f⁽ᵏ⁾/k! instead.  Raises FormulaError if a formula has
+    another variable.
 
     >>> from osculant.cas.expression import call, variable
     >>> nested = variable("t")
@@ -178,7 +185,9 @@ class _Writer:
         if self.one in (a, b):
             return b if a == self.one else a
         p, q = self.exact(a), self.exact(b)
-        return self.number(p * q) if p is not None and q is not None else self.emit("mul", min(a, b), max(a, b))
+        return (
+            self.number(p * q) if p is not None and q is not None else self.emit("mul", min(a, b), max(a, b))
+        )
 
     def div(self, a: int, b: int) -> int:
         if a == self.zero or b == self.one:
@@ -210,7 +219,7 @@ class _Writer:
         if kind == "variable":
             if node.value != self.variable:
                 raise FormulaError(
-                    f"The formula contains the variable {node.value!r}; only {self.variable!r} is allowed here."
+                    f"The formula contains the variable {node.value!r}; only {self.variable!r} is allowed."
                 )
             return self.padded(self.emit("variable"), n)[:1] + self.padded(self.one, n)[: n - 1]
         if kind in ("add", "sub"):
@@ -355,7 +364,9 @@ _RULES: Mapping[Any, Callable[[_Writer, list[int]], list[int]]] = {
     "atan": lambda w, a: w.inverse_function("atan", a, _reciprocal(w, w.one_plus(a, 1))),
     "atanh": lambda w, a: w.inverse_function("atanh", a, _reciprocal(w, w.one_plus(a, -1))),
     "asin": lambda w, a: w.inverse_function("asin", a, _inverse_root(w, a, w.one_plus(a, -1))),
-    "acos": lambda w, a: w.inverse_function("acos", a, [w.neg(g) for g in _inverse_root(w, a, w.one_plus(a, -1))]),
+    "acos": lambda w, a: w.inverse_function(
+        "acos", a, [w.neg(g) for g in _inverse_root(w, a, w.one_plus(a, -1))]
+    ),
     "asinh": lambda w, a: w.inverse_function("asinh", a, _inverse_root(w, a, w.one_plus(a, 1))),
     "acosh": lambda w, a: w.inverse_function("acosh", a, _inverse_root(w, a, _less_one(w, a))),
     "cbrt": lambda w, a: w.powered(a, Fraction(1, 3), w.call("cbrt", a[0])),

@@ -24,7 +24,7 @@ class ClosedForm:
     results: dict[str, sp.Expr]
 
 
-class _NumbaPrinter(PythonCodePrinter):
+class _NumbaPrinter(PythonCodePrinter):  # type: ignore[misc]
     """Python source with `math` functions, float literals and small powers written as products."""
 
     def _print_copysign(self, expr: sp.Expr) -> str:
@@ -49,11 +49,9 @@ def function_source(form: ClosedForm) -> str:
     """The source of one jitted function.
 
     >>> x = sp.Symbol("x")
-    >>> print(function_source(ClosedForm("square", "x squared.", (x,), {"y": x**2})))
-    @kernel
-    def square(x: float) -> float:
-        \"""x squared.\"""
-        return (x * x)
+    >>> source = function_source(ClosedForm("square", "x squared.", (x,), {"y": x**2}))
+    >>> source.splitlines()[1], source.splitlines()[-1]
+    ('def square(x: float) -> float:', '    return (x * x)')
     """
     printer = _NumbaPrinter({"fully_qualified_modules": True})
     shared, results = sp.cse(list(form.results.values()), symbols=sp.numbered_symbols("_v"), order="none")

@@ -59,7 +59,11 @@ class _Printer:
         t, out = function.args
         values: list[Any] = []
         for step in compiled.instructions:
-            values.append(t if step.op == "variable" else self.value(step.op, step.value, [values[a] for a in step.args]))
+            values.append(
+                t
+                if step.op == "variable"
+                else self.value(step.op, step.value, [values[a] for a in step.args])
+            )
         place = 0
         for output in compiled.outputs:
             for index in output:
@@ -131,7 +135,9 @@ class CompiledJet:
             options = llvm.create_pipeline_tuning_options(speed_level=1)
             passes = llvm.create_pass_builder(machine, options)
             passes.getModulePassManager().run(module, passes)
-            _bind_libm([f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")])
+            _bind_libm(
+                [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
+            )
             self._engine = llvm.create_mcjit_compiler(module, machine)
             self._engine.finalize_object()
             self.address: int = self._engine.get_function_address("jet")

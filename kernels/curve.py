@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from llvmlite import ir
@@ -46,7 +46,7 @@ def _call_address(typing: Any, address: Any, t: Any, out: Any) -> Any:
 
 
 #: as kernels call it: numba supplies the first argument of the intrinsic
-_call: Callable[[int, float, np.ndarray[Any, Any]], None] = _call_address
+_call = cast(Callable[[int, float, np.ndarray[Any, Any]], None], _call_address)
 
 
 @kernel

@@ -59,7 +59,9 @@ def moved(x: float, d: float, slope: float, sharpness: float) -> float:
 
 
 @kernel
-def sharpened(sharpness: float, before: float, after: float, steep_before: float, steep_after: float) -> float:
+def sharpened(
+    sharpness: float, before: float, after: float, steep_before: float, steep_after: float
+) -> float:
     """The sharpness −Δ(d′/d)/Δx seen between two visits of a peak, where they tell anything."""
     step = after - before
     if abs(step) > TELLING_MOVE:

@@ -22,7 +22,7 @@ from osculant.kernels.scan import GRID, Space, measure, minimax, workspace
 
 #: why an arc ends where it does
 ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT = 0, 1, 2
-#: columns of the table of pieces: knots a and b, Q, error, reason, then the `Pencil` without what follows from it
+#: columns of the table of pieces, as `record` fills them
 COLUMNS = 13
 #: inner samples of the measurement that decides
 CHECKED = 8
@@ -68,9 +68,7 @@ def quick_arc(
             b = stop
         length = b - a
         end = frame_at(source, b, stop, last)
-        error, q, unrest, moved, steeps = exchange(
-            primitive, source, a, start, b, end, peaks, steeps, before
-        )
+        error, q, unrest, moved, steeps = exchange(primitive, source, a, start, b, end, peaks, steeps, before)
         if not error > 0.0:
             return b, q, peaks, False
         before, peaks = (peaks[0], peaks[1]), moved
@@ -107,9 +105,7 @@ def careful_arc(
         b = a + length
         if not (b > a and b < stop) or length <= good or length >= bad:
             break
-        error, q = minimax(
-            primitive, source, a, start, b, frame(source, b), space
-        )
+        error, q = minimax(primitive, source, a, start, b, frame(source, b), space)
         if error <= high:
             good, good_q, good_error = length, q, error
             if error >= low:
@@ -117,7 +113,9 @@ def careful_arc(
         else:
             bad, bad_error = length, error
         if good == 0.0:
-            length = 0.5 * bad if not math.isfinite(bad_error) else bad * max(0.1, 0.9 * (aim / bad_error) ** 0.2)
+            length = (
+                0.5 * bad if not math.isfinite(bad_error) else bad * max(0.1, 0.9 * (aim / bad_error) ** 0.2)
+            )
         elif step % 3 == 0 or not math.isfinite(bad_error):
             length = 0.5 * (good + bad)
         else:  # false position on log error against log length
@@ -131,8 +129,10 @@ def careful_arc(
 
 
 @kernel
-def record(row: np.ndarray[Any, Any], a: float, b: float, q: float, error: float, reason: int, pen: Pencil) -> None:
-    """Write one piece into a row of the table: a, b, Q, error, reason, P₀, T₀, P₂, weight, |V| (see COLUMNS)."""
+def record(
+    row: np.ndarray[Any, Any], a: float, b: float, q: float, error: float, reason: int, pen: Pencil
+) -> None:
+    """Write one piece into a row: a, b, Q, error, reason, P₀, T₀, P₂, weight, |V|."""
     w, reach = 1.0, 0.5 * pen[10]  # the chord
     if q > 0.0:
         w, reach = generated.weight(q, pen[10], pen[11], pen[12], pen[13])
@@ -160,9 +160,7 @@ def spline(
     careful = 0
     previous = math.nan
     for count in range(table.shape[0]):
-        b, q, after, found = quick_arc(
-            primitive, source, a, start, stop, last, length, low, high, peaks
-        )
+        b, q, after, found = quick_arc(primitive, source, a, start, stop, last, length, low, high, peaks)
         reason = ENDS_AT_STRETCH if b == stop else ENDS_AT_TOLERANCE
         error = math.inf
         if found:
@@ -173,9 +171,7 @@ def spline(
             peaks = after
         else:
             careful += 1
-            b, q, reason = careful_arc(
-                primitive, source, a, start, stop, last, length, low, high, space
-            )
+            b, q, reason = careful_arc(primitive, source, a, start, stop, last, length, low, high, space)
             if math.isnan(q):
                 return count, a, careful
             end = frame_at(source, b, stop, last)

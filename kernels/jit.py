@@ -18,6 +18,7 @@ from typing import Any, TypeVar, cast
 
 import numba
 import platformdirs
+from numba.core import config
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -60,12 +61,13 @@ FOLDER, FRESH = _prepare_folder()
 
 def kernel(function: Function) -> Function:
     """Compile a function of numbers and contiguous arrays: cached, nogil, no fastmath."""
-    before = numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(FOLDER)
+    settings: Any = config  # numba's settings, filled in at run time
+    before = settings.CACHE_DIR
+    settings.CACHE_DIR = str(FOLDER)
     try:
         compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
     finally:
-        numba.config.CACHE_DIR = before
+        settings.CACHE_DIR = before
     return cast(Function, compiled)
 
 
@@ -73,5 +75,8 @@ def announce() -> None:
     """Say on stderr, once, that this machine's first run compiles kernels."""
     global FRESH
     if FRESH:
-        print("osculant: compiling its kernels for this machine, once; this takes about 20 seconds.", file=sys.stderr)
+        print(
+            "osculant: compiling its kernels for this machine, once; this takes about 20 seconds.",
+            file=sys.stderr,
+        )
         FRESH = False

@@ -11,7 +11,17 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.bitangent import Pencil, View, displacement, is_flat, is_proper, pencil, through, view, weight
+from osculant.kernels.bitangent import (
+    Pencil,
+    View,
+    displacement,
+    is_flat,
+    is_proper,
+    pencil,
+    through,
+    view,
+    weight,
+)
 from osculant.kernels.curve import Frame, Source
 from osculant.kernels.exchange import PARABOLA
 from osculant.kernels.generated import pencil as generated
@@ -147,7 +157,7 @@ def peak_inside(
     pen: Pencil, q: float, source: Source, t0: float, d0: float,
     s0: float, t1: float, d1: float, s1: float,
 ) -> float:  # fmt: skip
-    """d at the peak between two samples (value, slope); ends of the arc count as d = d′ = 0, 0 if there is no peak."""
+    """d at the peak between two samples (value, slope), 0 if there is none; at ends d = d′ = 0."""
     h = t1 - t0
     grows_in = d0 == 0.0 or s0 * d0 > 0.0  # |d| grows into the interval from the left …
     grows_out = d1 == 0.0 or s1 * d1 < 0.0  # … and from the right
@@ -231,8 +241,9 @@ def measure(
     pen: Pencil, q: float, source: Source, a: float, b: float,
     points: int, space: Space,
 ) -> float:  # fmt: skip
-    """max |d| of the member Q (of the chord for Q = 0) over [a, b], from ``points`` samples or more; infinite if a normal misses its arc.
+    """max |d| of the member Q over [a, b], from ``points`` samples or more; Q = 0 is the chord.
 
+    Infinite if a normal of the curve misses the arc of the member.
     An upper bound of the Hausdorff distance as far as the peaks between the samples have been found:
     an estimate, not a certificate.
     """

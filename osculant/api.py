@@ -13,13 +13,15 @@ from osculant.spline import Spline
 from osculant.stretches import BREAKS, Division, check_finite, divide
 from osculant.tolerances import check_floor, checked_tolerance
 
+
 def curve(formulas: Any, low: Any = None, high: Any = None) -> PlaneCurve:
     """A plane curve from its formulas and, to approximate it, the ends of its interval.
 
     Args:
         formulas: text such as ``"t*cos(t), t*sin(t)"`` (a graph is ``"t, f(t)"``, a polar curve
             ``"r(t)*cos(t), r(t)*sin(t)"``), or two sympy or symengine expressions in t.
-        low, high: formulas without variables as text, numbers, or sympy constants.
+        low: where it begins: a formula without variables as text, a number, or a sympy constant.
+        high: where it ends, likewise.
 
     Raises FormulaError or DomainError as `PlaneCurve` does.
 

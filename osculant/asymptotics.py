@@ -68,7 +68,9 @@ class Complexity:
 DIGITS = 20
 
 
-def complexity_of(curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...]) -> Complexity:
+def complexity_of(
+    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...]
+) -> Complexity:
     """The complexity of a divided curve; ``least`` pieces are needed on each stretch in any case."""
     from osculant.cas.complexity import LAWS, complexity_constant
 

@@ -52,5 +52,7 @@ def extent(curve: PlaneCurve) -> Extent:
         )
     points = points[np.isfinite(points).all(axis=1)]
     return Extent(
-        (float(points[0, 0]), float(points[0, 1])), float(np.abs(points).max()), float(np.ptp(points, axis=0).max())
+        (float(points[0, 0]), float(points[0, 1])),
+        float(np.abs(points).max()),
+        float(np.ptp(points, axis=0).max()),
     )

@@ -77,7 +77,9 @@ class PlaneCurve:
             a, b = constant(low), constant(high)
             for name, value, node in (("--from", a, low), ("--to", b, high)):
                 if not value.is_finite():
-                    raise FormulaError(f"{name} {to_text(node)} has no finite real value: give another number.")
+                    raise FormulaError(
+                        f"{name} {to_text(node)} has no finite real value: give another number."
+                    )
             if not a < b:
                 raise DomainError(
                     f"The interval from {to_text(low)} to {to_text(high)} is empty or reversed: "

@@ -70,7 +70,8 @@ def check_finite(curve: PlaneCurve) -> None:
     >>> check_finite(PlaneCurve("t, 1/t", -1, 1))
     Traceback (most recent call last):
     ...
-    osculant.cas.errors.DomainError: The curve is undefined or infinite at t = 0 (a division by zero): take an interval without it.
+    osculant.cas.errors.DomainError: The curve is undefined or infinite at t = 0 (a division by zero): take
+    an interval without it.
     """
     from osculant.cas.special import require_finite
 
@@ -142,9 +143,7 @@ def _inner(found: list[SpecialPoint], low: Any, high: Any) -> list[SpecialPoint]
     a, b = _float(low), _float(high)
     inside = {_float(point.at): point for point in found if a < _float(point.at) < b}
     near = (high - low) * 2.0**-50
-    return [
-        point for _, point in sorted(inside.items()) if point.at - low > near and high - point.at > near
-    ]
+    return [point for _, point in sorted(inside.items()) if point.at - low > near and high - point.at > near]
 
 
 def _end(found: list[SpecialPoint], at: Any) -> SpecialPoint:

@@ -118,7 +118,9 @@ def svg(
     ]
     if knots:
         marks = "\n".join(f"M{_pair(dot, decimals)}h0" for dot in dots)
-        lines.append(f'<path id="knots" stroke="#c0392b" stroke-width="{5 * pixel:.3g}" {stroke} d="{marks}"/>')
+        lines.append(
+            f'<path id="knots" stroke="#c0392b" stroke-width="{5 * pixel:.3g}" {stroke} d="{marks}"/>'
+        )
     return "\n".join([*lines, "</g>", "</svg>", ""])
 
 
