@@ -92,6 +92,8 @@ def is_zero(value: Any, at: Any) -> bool:
     if not at.contains(0):
         return False
     expanded = sp.expand(value)
+    if expanded.has(sp.cos, sp.sin):  # in roots of unity, as at a multiple of pi, everything cancels
+        expanded = sp.expand(expanded.rewrite(sp.exp))
     return bool(expanded == 0 or (sp.count_ops(expanded) < 500 and sp.simplify(expanded) == 0))
 
 

@@ -153,10 +153,11 @@ class ExactNumbers:
 
     def function(self, name: str) -> Callable[[Any], Any]:
         """sympy's function, evaluated where it knows the value."""
-        names = {"cbrt": "real_root", "sign": "sign"}
         if name == "cbrt":
             return lambda x: self._sp.real_root(x, 3)
-        function: Callable[[Any], Any] = getattr(self._sp, names.get(name, name))
+        if name == "sign":
+            return lambda x: self._sp.sign(x) if x != 0 else self._sp.nan
+        function: Callable[[Any], Any] = getattr(self._sp, name)
         return function
 
     def power(self, base: Any, exponent: Fraction) -> Any:

@@ -15,6 +15,7 @@ from typing import Any
 from flint import arb
 
 from osculant.cas.balls import ball
+from osculant.cas.errors import UndecidedError
 
 #: intervals are divided here, not in the middle, where formulas like to have their special points
 CUT = 0.48713
@@ -26,8 +27,9 @@ SMALLEST = 36
 #: from this width on, in the same measure, multiple zeros are looked for
 SMALL = 5
 
-#: (ball, names) → the series of each function there, or None where one is not finite
-Evaluate = Callable[[Any, Sequence[str]], Mapping[str, list[Any]] | None]
+#: (ball, names) → for each function its series there, then series that vanish too wherever it does;
+#: None where one is not finite
+Evaluate = Callable[[Any, Sequence[str]], Mapping[str, list[list[Any]]] | None]
 #: (name, low, high) → an interval around it that needs no more work for this function, or None
 Decide = Callable[[str, Any, Any], tuple[Any, Any] | None]
 
@@ -72,19 +74,26 @@ def divided(low: Any, high: Any) -> Any:
 def first_infinite(evaluate: Evaluate, names: Sequence[str], low: Any, high: Any) -> tuple[Any, Any] | None:
     """A smallest interval in which no finite series was found, the leftmost; None if there is none.
 
+    Raises UndecidedError after `WORK_LIMIT` intervals.
+
     >>> first_infinite(lambda t, names: None, ["f"], arb(0), arb(1)) is not None
     True
     """
     least = (high - low) * arb(2) ** -SMALLEST
     stack = [(low, high)]
-    while stack:
+    for _ in range(WORK_LIMIT):
+        if not stack:
+            return None
         low, high = stack.pop()
         if evaluate(ball(low, high), names) is None:
             if high - low < least:
                 return low, high
             cut = divided(low, high)
             stack += [(cut, high), (low, cut)]
-    return None
+    raise UndecidedError(
+        f"Whether the curve is finite near t = {float(low):.10g} could not be told: "
+        "write the formula so that less cancels, or take an interval without this point."
+    )
 
 
 def isolate(evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, high: Any) -> Isolation:
@@ -137,9 +146,10 @@ def _undecided(evaluate: Evaluate, box: Box, found: Isolation) -> tuple[str, ...
         return box.open
     left = []
     for name in box.open:
-        if not taylor_form(at[name], over[name], whole - centre).contains(0):
+        values = [taylor_form(*pair, whole - centre) for pair in zip(at[name], over[name], strict=True)]
+        if not all(value.contains(0) for value in values):
             continue
-        slope = taylor_form(differentiated(at[name]), differentiated(over[name]), whole - centre)
+        slope = taylor_form(differentiated(at[name][0]), differentiated(over[name][0]), whole - centre)
         if slope.contains(0):
             left.append(name)
         else:

@@ -13,11 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from flint import arb
 
-from osculant.cas.balls import PRECISION, CurveBalls, Form, ball, constant, precision
+from osculant.cas.balls import PRECISION, CurveBalls, Form, ball, constant, padded, precision
 from osculant.cas.errors import DomainError
 from osculant.cas.exact import order_of_zero, simple_numbers
 from osculant.cas.expression import Node
@@ -39,6 +40,8 @@ FORMS: Mapping[str, tuple[Form, int]] = {
     "parabolic": (lambda jet: jet.parabolic_form, 4),
     "sextactic": (lambda jet: jet.sextactic_form, 5),
 }
+#: what else vanishes at such a zero, and may sooner be seen not to
+PARTS: Mapping[str, Form] = {"cusp": lambda jet: (jet.x[1], jet.y[1])}
 #: terms of the Taylor forms, and of those that prove a multiple zero to be alone
 LENGTH, LONG = 6, 20
 #: two zeros nearer than this, in parts of the interval, are one knot
@@ -119,14 +122,14 @@ class _Evaluation:
     def __init__(self, curve: CurveBalls) -> None:
         self.curve = curve
 
-    def __call__(self, t: Any, names: Sequence[str]) -> dict[str, list[Any]] | None:
+    def __call__(self, t: Any, names: Sequence[str]) -> dict[str, list[list[Any]]] | None:
         jet = self.curve.series_jet(t, max(FORMS[name][1] for name in names), LENGTH)
         if jet is None:
             return None
         found = {}
         for name in names:
-            series = FORMS[name][0](jet).coeffs()[:LENGTH]
-            found[name] = series + [arb(0)] * (LENGTH - len(series))
+            parts = PARTS[name](jet) if name in PARTS else ()
+            found[name] = [padded(series, LENGTH) for series in (FORMS[name][0](jet), *parts)]
         return found
 
 
@@ -178,6 +181,7 @@ class _MultipleZeros:
     def __init__(self, curve: CurveBalls, ends: tuple[Node, Node]) -> None:
         self.curve = curve
         self.ends = [(end, constant(end)) for end in ends]
+        self.order_of_zero = cache(order_of_zero)  # asked again at every width where the answer was no
         self.points: list[SpecialPoint] = []
 
     def __call__(self, name: str, low: Any, high: Any) -> tuple[Any, Any] | None:
@@ -206,7 +210,7 @@ class _MultipleZeros:
         for multiplicity in range(1, LONG):
             around, over = differentiated(around), differentiated(over)
             if not taylor_form(around, over, whole - centre).contains(0):
-                return order_of_zero(self.curve.coordinates, form, order, candidate, multiplicity)
+                return self.order_of_zero(self.curve.coordinates, form, order, candidate, multiplicity)
         return False
 
 
@@ -225,7 +229,7 @@ def undefined(curve: CurveBalls, low: Any, high: Any, ends: Sequence[Node]) -> s
     """The sentence for a small interval in which the curve has no finite series."""
     whole = ball(low, high)
     known = [constant(end) for end in ends] + [constant(c) for c in simple_numbers(low, high)]
-    at = next((t for t in known if t.overlaps(whole)), arb(whole.mid()))
+    at = next((t for t in known if t.overlaps(whole)), whole)
     value = curve.coefficients(at, 0)
     reason = f"at t = {float(at.mid()):.10g} ({curve.explain(whole)})"
     if all(row[0].is_finite() for row in value):

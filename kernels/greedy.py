@@ -22,8 +22,8 @@ from osculant.kernels.scan import GRID, Space, measure, minimax, workspace
 
 #: why an arc ends where it does
 ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT = 0, 1, 2
-#: columns of the table of pieces, as `record` fills them
-COLUMNS = 13
+#: columns of the table of pieces, as `record` fills them, and which of them says why the arc ends
+COLUMNS, REASON = 13, 4
 #: inner samples of the measurement that decides
 CHECKED = 8
 #: fast evaluations per arc before the careful search takes over

@@ -88,7 +88,7 @@ def approximate(
         metric,
         tolerance,
         tuple(pieces),
-        _minimal(division, len(pieces)),
+        _minimal(division, len(pieces), fitting.limited),
         division.undecided,
         division.splits,
         lambda: _Prediction(law(), tolerance),
@@ -120,12 +120,14 @@ class _Prediction:
         self.predicted_pieces = law.predicted_pieces(tolerance)
 
 
-def _minimal(division: Division, count: int) -> Literal["proved", "by theory", "unknown"]:
+def _minimal(division: Division, count: int, limited: bool) -> Literal["proved", "by theory", "unknown"]:
     if division.undecided or not division.proved:
         return "unknown"
     if count == len(division.stretches):
         return "proved"  # every stretch takes at least one piece
-    return "unknown" if any(s.kind == "exact" for s in division.stretches) else "by theory"
+    if limited or any(stretch.kind == "exact" for stretch in division.stretches):
+        return "unknown"
+    return "by theory"
 
 
 def _check_choices(primitive: str, metric: str) -> None:

@@ -56,6 +56,8 @@ class Fitting:
         self.division = division
         self.origin, self.scale = size.origin, size.scale
         self.window = window(tolerance, size.largest)
+        #: whether a piece ended where no longer arc had a proper conic or parabola, short of the tolerance
+        self.limited = False
 
     def _jets(self, times: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
         out = np.empty((len(times), JET_SIZE))
@@ -104,6 +106,7 @@ class Fitting:
         while job.a < stretch.b:
             count, reached, _ = greedy.spline(*job, table)
             pieces += [self._piece(row, stretch.bend) for row in table[:count]]
+            self.limited |= bool((table[:count, greedy.REASON] == greedy.ENDS_AT_LIMIT).any())
             if progress is not None:
                 progress((reached - first) / (last - first))
             if count < CHUNK and reached < stretch.b:

@@ -96,9 +96,10 @@ class PlaneCurve:
     @property
     def interval(self) -> tuple[float, float]:
         """The ends of the interval as the nearest doubles."""
-        from osculant.cas.balls import constant
+        from osculant.cas.balls import PRECISION, constant, precision
 
-        low, high = (float(constant(end).mid()) for end in self.ends)
+        with precision(PRECISION):
+            low, high = (float(constant(end).mid()) for end in self.ends)
         return low, high
 
     @cached_property
