@@ -26,8 +26,8 @@ from osculant.cas.expression import (
     number,
     power,
     to_sympy,
-    topological,
 )
+from osculant.cas.graph import topological
 
 #: multiples of a common angle that are still expanded
 MULTIPLES = 24

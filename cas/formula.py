@@ -30,6 +30,8 @@ from typing import NamedTuple, TypeVar
 from osculant.cas import expression as ex
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.expression import Node
+from osculant.cas.graph import topological
+from osculant.cas.rationals import decimal
 
 Result = TypeVar("Result")
 CHARACTERS = 4096
@@ -186,7 +188,7 @@ class _Parser:
     def finish(self, nodes: list[Node]) -> tuple[Node, ...]:
         if self.token.text == ")":
             raise self.error("This parenthesis closes nothing; remove it or open one before.")
-        if len(ex.topological(nodes)) > NODES:
+        if len(topological(nodes)) > NODES:
             raise self.error(f"The formula has more than {NODES} operations; write a shorter one.")
         return tuple(nodes)
 
@@ -223,7 +225,7 @@ class _Parser:
             return self.make(token, ex.neg, node) if minus else node
         if token.kind == "number":
             self.advance()
-            return self.make(token, ex.number, self.make(token, ex.decimal, token.text))
+            return self.make(token, ex.number, self.make(token, decimal, token.text))
         if token.kind == "name":
             self.advance()
             return self.name(token)

@@ -12,6 +12,8 @@ import sympy
 from osculant.cas import expression as ex
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.expression import Node
+from osculant.cas.graph import fold
+from osculant.cas.rationals import BITS, decimal, exact_root
 
 
 class cbrt(sympy.Function):  # type: ignore[misc]  # sympy's own naming of functions; sympy is untyped here
@@ -31,7 +33,7 @@ class cbrt(sympy.Function):  # type: ignore[misc]  # sympy's own naming of funct
     def eval(cls, x: Any) -> Any:
         """The value at a perfect cube; the sign in front of the root."""
         if x.is_Rational:
-            root = ex.exact_root(Fraction(int(x.p), int(x.q)), 3)
+            root = exact_root(Fraction(int(x.p), int(x.q)), 3)
             if root is not None:
                 return sympy.Rational(root.numerator, root.denominator)
         if x.could_extract_minus_sign():
@@ -122,7 +124,7 @@ def to_sympy(node: Node, symbols: Mapping[str, sympy.Expr] | None = None) -> sym
         return result
 
     try:
-        (result,) = ex.fold([node], rule)
+        (result,) = fold([node], rule)
     except (OverflowError, RecursionError):
         raise FormulaError(
             "The expression is too large or too deep for sympy; write a smaller one."
@@ -139,8 +141,8 @@ def _check_magnitude(constant: Any) -> None:
     value = constant.evalf(3)
     if value.is_Float and value != 0:
         _, _, exponent, width = value._mpf_
-        if abs(exponent + width) > ex.BITS:
-            raise FormulaError(f"A constant of the expression is beyond 2**{ex.BITS} or 2**-{ex.BITS}.")
+        if abs(exponent + width) > BITS:
+            raise FormulaError(f"A constant of the expression is beyond 2**{BITS} or 2**-{BITS}.")
 
 
 def from_sympy(expression: object) -> Node:
@@ -173,7 +175,7 @@ def _convert(item: Any, args: list[Node]) -> Node:
         return ex.number(Fraction(int(item.p), int(item.q)))
     if item.is_Float:
         short = repr(float(item))
-        return ex.number(ex.decimal(short if item._prec <= 53 and short[-1].isdigit() else str(item)))
+        return ex.number(decimal(short if item._prec <= 53 and short[-1].isdigit() else str(item)))
     if item is sympy.pi:
         return ex.PI
     if item is sympy.E:

@@ -30,6 +30,9 @@ class _NumbaPrinter(PythonCodePrinter):  # type: ignore[misc]
     def _print_copysign(self, expr: sp.Expr) -> str:
         return f"math.copysign({self._print(expr.args[0])}, {self._print(expr.args[1])})"
 
+    def _print_cbrt(self, expr: sp.Expr) -> str:
+        return f"np.cbrt({self._print(expr.args[0])})"
+
     def _print_Rational(self, expr: sp.Rational) -> str:
         return repr(float(expr)) if expr.q == 1 else f"({float(expr.p)!r} / {float(expr.q)!r})"
 
@@ -70,12 +73,16 @@ def module_source(derivation: str, forms: Sequence[ClosedForm], constants: dict[
     """
     import mpmath
 
+    functions = [function_source(form) for form in forms]
+    uses_numpy = any("np." in text for text in functions)
     parts = [
         f'"""Generated from {derivation} by codegen.generate; do not edit.\n\n'
         f'Made with sympy {sp.__version__}, mpmath {mpmath.__version__}: `make generate`.\n"""',
         "from __future__ import annotations\n\n"
-        + ("import math\n\nfrom osculant.kernels.jit import kernel" if forms else ""),
+        + "import math\n\n"
+        + ("import numpy as np\n\n" if uses_numpy else "")
+        + "from osculant.kernels.jit import kernel",
         "\n".join(f"{name} = {float(value)!r}  # {value}" for name, value in constants.items()),
+        *functions,
     ]
-    parts += [function_source(form) for form in forms]
     return "\n\n\n".join(part.rstrip() for part in parts if part.strip()) + "\n"

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from osculant.cas import pencil
+from osculant.cas.plane_exact import jet_symbols
 from osculant.codegen.closed_forms import ClosedForm, module_source
 
 FOLDER = Path(__file__).resolve().parent.parent / "kernels" / "generated"
@@ -46,7 +47,27 @@ def pencil_module() -> str:
     return module_source("cas/pencil.py", forms, constants)
 
 
-MODULES = {"pencil.py": pencil_module}
+def invariants_module() -> str:
+    """The scalar invariants over jets of order 5."""
+    jet = jet_symbols()
+    names = {
+        "speed": jet.speed,
+        "curvature": jet.curvature,
+        "curvature_slope": jet.curvature_slope,
+        "affine_speed": jet.affine_speed,
+        "affine_curvature": jet.affine_curvature,
+        "affine_curvature_slope": jet.affine_curvature_slope,
+    }
+    form = ClosedForm(
+        "invariants",
+        "Speed, κ, dκ/ds, φ = dr/dt, k and dk/dr from the derivatives 1…5 of both coordinates.",
+        (*jet.x[1:], *jet.y[1:]),
+        names,
+    )
+    return module_source("cas/invariants.py", [form], {})
+
+
+MODULES = {"pencil.py": pencil_module, "invariants.py": invariants_module}
 
 
 def main(arguments: list[str]) -> int:

@@ -45,15 +45,15 @@ def _call_address(typing: Any, address: Any, t: Any, out: Any) -> Any:
     return types.void(types.int64, types.float64, out), emit
 
 
-#: as kernels call it: numba supplies the first argument of the intrinsic
-_call = cast(Callable[[int, float, np.ndarray[Any, Any]], None], _call_address)
+#: (address, t, out): evaluate a compiled jet; numba supplies the intrinsic's first argument
+call_jet = cast(Callable[[int, float, np.ndarray[Any, Any]], None], _call_address)
 
 
 @kernel
 def sample(source: Source, t: float) -> tuple[float, float, float, float, float, float]:
     """Position, unit tangent, speed |α′| and curvature at t, in the kernel's coordinates."""
     address, place, jet = source
-    _call(address, t, jet)
+    call_jet(address, t, jet)
     scale = place[2]
     rise = scale * place[3]
     x, y = (jet[0] - place[0]) * scale, (jet[3] - place[1]) * rise
@@ -67,4 +67,4 @@ def sample(source: Source, t: float) -> tuple[float, float, float, float, float,
 def sample_many(address: int, times: np.ndarray[Any, Any], out: np.ndarray[Any, Any]) -> None:
     """Jets at all ``times`` (m,) into the rows of ``out`` (m, `JET_SIZE`), in the user's coordinates."""
     for i in range(times.shape[0]):
-        _call(address, times[i], out[i])
+        call_jet(address, times[i], out[i])

@@ -28,8 +28,8 @@ def invariants_to_digits(curve: CurveBalls, at: Node, digits: int) -> dict[str, 
     from flint import arb
 
     from osculant.cas.balls import constant, precision
-    from osculant.cas.expression import to_text
     from osculant.cas.invariants import INVARIANTS
+    from osculant.cas.text import to_text
 
     if not 1 <= digits <= MOST_DIGITS:
         raise DomainError(f"{digits} digits cannot be given: ask for 1 to {MOST_DIGITS}.")

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.expression import to_text
+from osculant.cas.text import to_text
 from osculant.plane import as_constant
 
 if TYPE_CHECKING:

@@ -20,7 +20,6 @@ from hypothesis import strategies as st
 
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.expression import (
-    BITS,
     FUNCTIONS,
     ONE,
     PI,
@@ -28,21 +27,18 @@ from osculant.cas.expression import (
     E,
     Node,
     call,
-    decimal,
-    exact_root,
-    fold,
     from_sympy,
     neg,
     number,
     power,
     to_sympy,
-    to_text,
-    topological,
     variable,
-    variables,
 )
 from osculant.cas.formula import parse
+from osculant.cas.graph import fold, topological, variables
+from osculant.cas.rationals import BITS, decimal, exact_root
 from osculant.cas.sympy_bridge import cbrt
+from osculant.cas.text import to_text
 
 s, t = variable("s"), variable("t")
 HALF = Fraction(1, 2)

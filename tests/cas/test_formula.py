@@ -13,8 +13,11 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.errors import FormulaError
-from osculant.cas.expression import BITS, PI, E, Node, call, number, power, to_text, topological, variable
+from osculant.cas.expression import PI, E, Node, call, number, power, variable
 from osculant.cas.formula import CHARACTERS, DEPTH, NODES, parse, parse_constant, parse_tuple
+from osculant.cas.graph import topological
+from osculant.cas.rationals import BITS
+from osculant.cas.text import to_text
 
 t = variable("t")
 
