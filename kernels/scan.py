@@ -141,6 +141,12 @@ def height(
 
 
 @kernel
+def missed(q: float, seen: View) -> tuple[float, float]:
+    """What `extremes` returns where the normal at a point misses the arc of the member Q."""
+    return math.nan, q - through(seen)
+
+
+@kernel
 def lean(slope: float, d: float, seen: View) -> float:
     """The tangent of the angle between the curve and the conic at the foot."""
     return slope / (seen[9] * (1.0 - seen[10] * d))
@@ -187,14 +193,14 @@ def extremes_between(
             seen = view(pen, source, middle)
             value, _, slope = displacement(q, seen)
             if not math.isfinite(value):
-                return math.nan, math.nan
+                return missed(q, seen)
             new = pending[open_ends]
             new[0], new[1], new[2], new[3] = middle, value, slope, lean(slope, value, seen)
             open_ends += 1
             continue
         value = peak_inside(pen, q, source, t0, d0, s0, t, d, s)
         if math.isnan(value):
-            return math.nan, math.nan
+            return math.nan, -(d0 + d)
         top, bottom = max(top, value, d), min(bottom, value, d)
         t0, d0, s0, l0 = t, d, s, leaning
         open_ends -= 1
@@ -206,9 +212,10 @@ def extremes(
     pen: Pencil, q: float, source: Source, a: float, b: float,
     space: Space, count: int,
 ) -> tuple[float, float]:  # fmt: skip
-    """(max d, min d) of the member Q over the arc seen in ``space``; NaN if a normal misses its arc.
+    """(max d, min d) of the member Q over the arc seen in ``space``.
 
-    Every interval between neighbouring samples in which |d| must have a peak is searched.
+    Every interval between neighbouring samples in which |d| must have a peak is searched.  If a normal misses
+    the member's arc, max d is NaN, and min d positive if Q is too large there, else negative.
     """
     top, bottom = 0.0, 0.0
     t0, d0, s0, l0 = a, 0.0, 0.0, 0.0
@@ -219,18 +226,18 @@ def extremes(
             t1 = space[0][i, ROW_SIZE - 1]
             d1, _, s1 = displacement(q, seen)
             if not math.isfinite(d1):
-                return math.nan, math.nan
+                return missed(q, seen)
             l1 = lean(s1, d1, seen)
             top, bottom = max(top, d1), min(bottom, d1)
         if apart(l0, l1) or (d0 * d1 < 0.0 and s0 * d0 > 0.0 and s1 * d1 < 0.0):
             above, below = extremes_between(pen, q, source, t0, d0, s0, l0, t1, d1, s1, l1, space)
             if math.isnan(above):
-                return math.nan, math.nan
+                return above, below
             top, bottom = max(top, above), min(bottom, below)
         else:
             value = peak_inside(pen, q, source, t0, d0, s0, t1, d1, s1)
             if math.isnan(value):
-                return math.nan, math.nan
+                return math.nan, -(d0 + d1)
             top, bottom = max(top, value), min(bottom, value)
         t0, d0, s0, l0 = t1, d1, s1, l1
     return top, bottom
@@ -303,17 +310,17 @@ def balanced(
         q = 0.5 * (low + high)
         if step % 3 and math.isfinite(excess_low) and math.isfinite(excess_high):
             q = (low * excess_high - high * excess_low) / (excess_high - excess_low)
-        if not weight(pen, q) > -1.0:  # an unbounded arc: w < 0 falls with Q
-            high, excess_high, error = q, math.nan, math.inf
-            continue
-        top, bottom = extremes(pen, q, source, a, b, space, count)
+        top, bottom = math.nan, 1.0  # an unbounded arc: w < 0 falls with Q
+        if weight(pen, q) > -1.0:
+            top, bottom = extremes(pen, q, source, a, b, space, count)
         if math.isnan(top):
-            return math.inf, q
-        excess, error = top + bottom, max(top, -bottom)
+            excess, error, too_large = math.nan, math.inf, bottom > 0.0
+        else:  # ∂d/∂Q < 0 inside the tangents of an arc that bends to the left
+            excess, error, too_large = top + bottom, max(top, -bottom), top + bottom < 0.0
         if abs(excess) <= BALANCED * error or high - low <= BALANCED * high:
             break
-        if excess > 0.0:  # ∂d/∂Q < 0 inside the tangents of an arc that bends to the left
-            low, excess_low = q, excess
-        else:
+        if too_large:
             high, excess_high = q, excess
+        else:
+            low, excess_low = q, excess
     return error, q

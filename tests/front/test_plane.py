@@ -105,6 +105,8 @@ def test_three_arithmetics_agree(a, b, c, t):
     for name, column in table.items():
         value = certain[name]
         assert float(column[0]) == pytest.approx(float(value), rel=1e-9, abs=1e-12)
+        if name in curve.exact.over_jets:  # too long to be written in t
+            continue
         exact = symbols[name].evalf(40, subs={T: sp.Float(repr(t), 60)})
         with mpmath.workdps(40):
             assert abs(mpmath.mpf(str(exact)) - value) <= mpmath.mpf(10) ** -25 * (1 + abs(value))
