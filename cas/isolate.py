@@ -141,11 +141,15 @@ def _undecided(evaluate: Evaluate, box: Box, found: Isolation) -> tuple[str, ...
         return ()
     centre = arb(((box.low + box.high) / 2).mid())
     whole = ball(box.low, box.high)
-    over, at = evaluate(whole, box.open), evaluate(centre, box.open)
-    if over is None or at is None:
+    over = evaluate(whole, box.open)
+    if over is None:
+        return box.open
+    still = [name for name in box.open if all(series[0].contains(0) for series in over[name])]
+    at = evaluate(centre, still) if still else {}
+    if at is None:
         return box.open
     left = []
-    for name in box.open:
+    for name in still:
         values = [taylor_form(*pair, whole - centre) for pair in zip(at[name], over[name], strict=True)]
         if not all(value.contains(0) for value in values):
             continue

@@ -108,6 +108,7 @@ def complexity(
     (('1.2695901170369955254',), 5, 51)
     """
     _check_choices(primitive, metric)
+    check_finite(curve)
     division = divide(curve, primitive, split_at)
     return complexity_of(curve, primitive, division, (1,) * len(division.stretches))
 

@@ -81,7 +81,8 @@ def check_finite(curve: PlaneCurve) -> None:
 def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> Division:
     """Divide the curve for a spline of the primitive, also at the user's points.
 
-    Raises DomainError where the curve is undefined, or for a split point outside the interval.
+    The curve has to be finite: see `check_finite`.  Raises DomainError for a split point outside the
+    interval, or if the curve is a single point.
 
     >>> from osculant.plane import PlaneCurve
     >>> divide(PlaneCurve("t, sin(t)", "1", "4"), "conic").splits
@@ -90,7 +91,6 @@ def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> D
     from osculant.cas.balls import PRECISION, constant, precision
     from osculant.cas.special import SpecialPoint, special_points
 
-    check_finite(curve)
     kind, proved = _kind(curve, primitive)
     names = ["cusp"]
     names += ["inflection"] if kind != "segment" else []
