@@ -16,6 +16,8 @@ from osculant.cas.taylor import Program, program
 
 #: bits of all decisions; the roots of simple zeros are located to about this accuracy
 PRECISION = 320
+#: terms that power series may have; beyond flint's default of 10 it would drop some in silence
+TERMS = 96
 
 #: a form over jets, such as the one that vanishes where the curvature does
 Form = Callable[[PlaneJet], Any]
@@ -23,13 +25,13 @@ Form = Callable[[PlaneJet], Any]
 
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
-    """flint's working precision for a while (series length is the caller's affair)."""
-    before = ctx.prec
-    ctx.prec = bits
+    """flint's working precision for a while, with power series of up to `TERMS` terms."""
+    before = ctx.prec, ctx.cap
+    ctx.prec, ctx.cap = bits, TERMS
     try:
         yield
     finally:
-        ctx.prec = before
+        ctx.prec, ctx.cap = before
 
 
 def ball(low: Any, high: Any) -> Any:
@@ -79,10 +81,10 @@ class CurveBalls:
             return None
         derivatives: list[list[Any]] = []
         for row in rows:
-            entry, chain = arb_series(row, length + order), []
+            chain = []
             for _ in range(order + 1):
-                chain.append(arb_series(entry.coeffs()[:length], length))
-                entry = entry.derivative()
+                chain.append(arb_series(row[:length], length))
+                row = [k * c for k, c in enumerate(row)][1:]
             derivatives.append(chain)
         return PlaneJet(derivatives[0], derivatives[1])
 
@@ -116,6 +118,6 @@ REASONS = {
 
 
 def padded(series: Any, length: int) -> list[Any]:
-    """The coefficients of a power series, filled up with zeros."""
+    """The first coefficients of a power series, NaN where it does not reach so far."""
     found = list(series.coeffs())[:length]
-    return found + [arb(0)] * (length - len(found))
+    return found + [arb(0) if series.prec >= length else arb.nan()] * (length - len(found))

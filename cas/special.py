@@ -42,8 +42,10 @@ FORMS: Mapping[str, tuple[Form, int]] = {
 }
 #: what else vanishes at such a zero, and may sooner be seen not to
 PARTS: Mapping[str, Form] = {"cusp": lambda jet: (jet.x[1], jet.y[1])}
-#: terms of the Taylor forms, and of those that prove a multiple zero to be alone
-LENGTH, LONG = 6, 20
+#: terms of the Taylor forms
+LENGTH = 6
+#: Taylor coefficients looked at, in turn, for the multiplicity of a zero
+MULTIPLE = (2, 10, 30, 90)
 #: two zeros nearer than this, in parts of the interval, are one knot
 SAME = 2.0**-60
 #: probes that may show that a form does not vanish identically
@@ -181,7 +183,8 @@ class _MultipleZeros:
     def __init__(self, curve: CurveBalls, ends: tuple[Node, Node]) -> None:
         self.curve = curve
         self.ends = [(end, constant(end)) for end in ends]
-        self.order_of_zero = cache(order_of_zero)  # asked again at every width where the answer was no
+        # asked again at every width until the answer is yes
+        self.multiplicity, self.order_of_zero = cache(self._multiplicity), cache(order_of_zero)
         self.points: list[SpecialPoint] = []
 
     def __call__(self, name: str, low: Any, high: Any) -> tuple[Any, Any] | None:
@@ -189,29 +192,42 @@ class _MultipleZeros:
         width = high - low
         low, high = arb((low - width).mid()), arb((high + width).mid())
         candidates = [(end, at) for end, at in self.ends if at >= low and at <= high]
-        candidates += [(c, constant(c)) for c in simple_numbers(low, high)]
+        for number in simple_numbers(low, high):
+            at = constant(number)
+            if not (at < self.ends[0][1] or at > self.ends[1][1]):
+                candidates.append((number, at))
         for candidate, at in candidates:
-            if self.only_zero(name, candidate, at, ball(low, high)):
+            if self.only_zero(name, candidate, ball(low, high)):
                 self.points.append(SpecialPoint(at, frozenset([name])))
                 return low, high
         return None
 
-    def only_zero(self, name: str, candidate: Node, at: Any, whole: Any) -> bool:
-        """Whether the form has a zero exactly at the candidate and no other in the ball ``whole``."""
+    def only_zero(self, name: str, candidate: Node, whole: Any) -> bool:
+        """Whether the form has a multiple zero exactly at the candidate and no other in ``whole``."""
         form, order = FORMS[name]
-        here = self.curve.form_series(form, at, order, 1)
-        if here is None or not here[0].contains(0):
-            return False
+        multiplicity = self.multiplicity(name, candidate)
+        if multiplicity < 2:
+            return False  # not a zero, or a simple one, which isolation finds by itself
         centre = arb(whole.mid())
-        over = self.curve.form_series(form, whole, order, LONG)
-        around = self.curve.form_series(form, centre, order, LONG)
+        over = self.curve.form_series(form, whole, order, multiplicity + 16)
+        around = self.curve.form_series(form, centre, order, multiplicity + 16)
         if over is None or around is None:
             return False
-        for multiplicity in range(1, LONG):
+        for _ in range(multiplicity):
             around, over = differentiated(around), differentiated(over)
-            if not taylor_form(around, over, whole - centre).contains(0):
-                return self.order_of_zero(self.curve.coordinates, form, order, candidate, multiplicity)
-        return False
+        if taylor_form(around, over, whole - centre).contains(0):
+            return False
+        return self.order_of_zero(self.curve.coordinates, form, order, candidate, multiplicity)
+
+    def _multiplicity(self, name: str, candidate: Node) -> int:
+        """How many Taylor coefficients at the candidate seem to vanish before one that does not."""
+        form, order = FORMS[name]
+        for length in MULTIPLE:
+            series = self.curve.form_series(form, constant(candidate), order, length)
+            for count, c in enumerate(series or [arb(1)]):
+                if not c.contains(0):
+                    return count
+        return 0
 
 
 def _merged(points: list[SpecialPoint], size: Any) -> list[SpecialPoint]:

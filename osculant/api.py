@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, Literal
 
-from osculant.asymptotics import Complexity, complexity_of
+from osculant.asymptotics import DIGITS_FOR_SPLINES, Complexity, complexity_of
 from osculant.cas.errors import DomainError
 from osculant.plane import PlaneCurve
 from osculant.spline import Spline
@@ -81,7 +81,7 @@ def approximate(
         found = fitting.pieces(stretch, progress)
         pieces += found
         least.append(len(found) if stretch.kind == "exact" else 1)
-    law = partial(complexity_of, curve, primitive, division, tuple(least))
+    law = partial(complexity_of, curve, primitive, division, tuple(least), DIGITS_FOR_SPLINES)
     return Spline(
         curve,
         primitive,

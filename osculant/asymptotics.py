@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from osculant.stretches import Division
 
 
+#: a predicted number above an integer by less than this part of it is that integer
+ROUNDING = 1e-12
+
+
 @dataclass(frozen=True)
 class Complexity:
     """N(ε) = C ε^{−1/order} + …, with C summed over the stretches between split points.
@@ -46,7 +50,8 @@ class Complexity:
         """The whole number: rounded up on every stretch, at least what the stretch needs."""
         scale = checked_tolerance(tolerance) ** (-1.0 / self.order)
         return sum(
-            max(n, math.ceil(float(c) * scale)) for c, n in zip(self.constants, self.least, strict=True)
+            max(n, math.ceil(float(c) * scale * (1 - ROUNDING)))
+            for c, n in zip(self.constants, self.least, strict=True)
         )
 
     count = predicted_pieces
@@ -64,12 +69,12 @@ class Complexity:
         }
 
 
-#: digits of a constant that are shown; the quadrature is good to more
-DIGITS = 20
+#: digits of a constant by itself, and of one that only predicts a spline's number of pieces
+DIGITS, DIGITS_FOR_SPLINES = 20, 12
 
 
 def complexity_of(
-    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...]
+    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...], digits: int = DIGITS
 ) -> Complexity:
     """The complexity of a divided curve; ``least`` pieces are needed on each stretch in any case."""
     from osculant.cas.complexity import LAWS, complexity_constant
@@ -79,6 +84,6 @@ def complexity_of(
         if stretch.kind != "generic":
             constants.append("0")
             continue
-        value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high)
-        constants.append(value.str(DIGITS, radius=False))
-    return Complexity(primitive, "hausdorff", LAWS[primitive].order, tuple(constants), least, DIGITS)
+        value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high, digits)
+        constants.append(value.str(digits, radius=False))
+    return Complexity(primitive, "hausdorff", LAWS[primitive].order, tuple(constants), least, digits)

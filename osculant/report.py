@@ -8,8 +8,6 @@ from collections.abc import Sequence
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from osculant.cas.errors import UndecidedError
-
 if TYPE_CHECKING:
     from types import TracebackType
 
@@ -80,10 +78,9 @@ def printable(text: str) -> str:
 
 def print_spline(spline: Spline, seconds: float, files: Sequence[str]) -> None:
     """Print pieces, predicted pieces, error, time, whether the number is minimal, and split points."""
-    try:
+    predicted = "unknown: the integral of the theory did not settle"
+    if spline.predicted is not None:
         predicted = f"{spline.predicted:.6g}, in whole pieces {spline.predicted_pieces}"
-    except UndecidedError as error:
-        predicted = f"unknown: {error}"
     error_kind = "" if spline.error_kind == "exact" else f" ({spline.error_kind})"
     rows = [
         ("curve", spline.curve.text),

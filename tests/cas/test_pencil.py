@@ -1,4 +1,4 @@
-"""The pencil of bitangent conics: symbolic proofs, and numbers where proofs would only repeat the derivation."""
+"""The pencil of bitangent conics: symbolic proofs, and numbers where those would repeat the derivation."""
 
 from __future__ import annotations
 
@@ -56,10 +56,11 @@ def test_the_displacement_vanishes_with_the_residual():
     # of the two roots it is the one that tends to 0 on the conic, whichever the sign of B
     for normal in (1, -1):
         values = {pencil.n1: normal, pencil.n0: 0, pencil.n2: 0, pencil.l0: 1, pencil.l2: 1, Q: 1}
-        on_conic = numbers(MOVE["d"], values | {pencil.l1: 2})
-        beside = numbers(MOVE["d"], values | {pencil.l1: 2 + mpmath.mpf(10) ** -30})
-        assert on_conic == 0
-        assert abs(beside + normal * mpmath.mpf(10) ** -30) < mpmath.mpf(10) ** -45
+        assert numbers(MOVE["d"], values | {pencil.l1: 2}) == 0
+        with mpmath.workdps(50):
+            small = mpmath.mpf(10) ** -30
+            beside = numbers(MOVE["d"], values | {pencil.l1: 2 + small})
+            assert close(beside, -normal * small, 15)
 
 
 def test_a_member_through_a_point():
@@ -139,7 +140,7 @@ def test_the_kind_of_conic_follows_from_the_weight():
 
 def numbers(expr, values):
     """The value of an expression in mpmath at the current precision."""
-    functions = {"copysign": lambda x, y: abs(x) * mpmath.sign(y)}
+    functions = {"copysign": lambda root, y: root * mpmath.sign(y)}
     return sp.lambdify(list(values), expr, [functions, "mpmath"])(*map(mpmath.mpf, values.values()))
 
 
@@ -187,7 +188,7 @@ class Arc:
             l0, l1, l2 = self.lines([p + d * n for p, n in zip(point, normal, strict=True)])
             return l1**2 - 4 * q * l0 * l2
 
-        return mpmath.findroot(form, (0, self.chord / 1000), tol=mpmath.mpf(10) ** -80)
+        return mpmath.findroot(form, (0, self.chord / 1000), tol=mpmath.mpf(10) ** -90, verify=False)
 
     def view(self, t, q):
         """Symbols and their values at a point of the curve."""
@@ -226,7 +227,8 @@ def test_displacement_and_its_derivatives(low, high, share):
         slope = (arc.distance(t + step, q) - arc.distance(t - step, q)) / (2 * step)
         assert close(got["slope"], slope, 12)
         assert not close(-got["slope"], slope, 3)
-        assert not close(got["slope"] / (1 - values[pencil.curvature] * got["d"]), slope, 12)  # κd left out
+        without = got["slope"] / (1 - values[pencil.curvature] * got["d"])
+        assert abs(got["d"]) < 1e-10 or not close(without, slope, 12)
 
 
 def close(x, y, digits=30):
@@ -301,9 +303,11 @@ def test_displacement_beside_a_half_turn(turning):
 
 
 def test_the_displacement_is_not_real_where_the_normal_misses():
-    arc = Arc(spiral, mpmath.mpf(1), mpmath.mpf("2.5"))
-    values = arc.view(mpmath.mpf("1.75"), mpmath.mpf("1e-6"))
-    assert numbers(MOVE["d"], values).imag != 0
+    # a member near the chord, seen from a point of the circle where the normal is parallel to the chord
+    arc = Arc(circle, mpmath.mpf(0), mpmath.mpf("4.5"))
+    parallel, across = (mpmath.mpf("2.25") + x for x in (mpmath.pi / 2, 0))
+    assert numbers(MOVE["d"], arc.view(parallel, mpmath.mpf("1e-6"))).imag != 0
+    assert numbers(MOVE["d"], arc.view(across, mpmath.mpf("1e-6"))).imag == 0
 
 
 # The leading error of a short arc.
@@ -351,7 +355,7 @@ def test_the_middle_is_the_best_crossing(crossing):
 
 
 def test_a_short_arc_has_that_shape():
-    """On an arc of the spiral of length 1e-6, the displacement of the conic through the middle of its lobes."""
+    """The displacement of the conic through the middle of a very short arc of the spiral."""
     with mpmath.workdps(60):
         low, size = mpmath.mpf(2), mpmath.mpf(10) ** -6
         arc = Arc(spiral, low, low + size)

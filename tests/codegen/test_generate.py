@@ -193,9 +193,7 @@ def test_printed_invariants(numbers):
 @cache
 def exact_invariants():
     """κ, k and so on from the definitions' derivation, independent of the jets' forms that are printed."""
-    arguments = dict(
-        zip((*jets.x[1:6], *jets.y[1:6]), sp.symbols("x1:6 y1:6", real=True), strict=True)
-    )
+    arguments = dict(zip((*jets.x[1:6], *jets.y[1:6]), sp.symbols("x1:6 y1:6", real=True), strict=True))
     speed = sp.sqrt(jets.x[1] ** 2 + jets.y[1] ** 2)
     root = cbrt(jets.x[1] * jets.y[2] - jets.x[2] * jets.y[1])
     results = {

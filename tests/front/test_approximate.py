@@ -51,7 +51,10 @@ def check_spline(spline, sample=12):
     points = points_of(curve)
     for piece in spline.pieces[::step]:
         distance = hausdorff(points, [piece])
-        assert distance == pytest.approx(piece.error, rel=1e-5, abs=64 * math.ulp(largest))
+        assert distance <= piece.error * (1 + 1e-5) + 64 * math.ulp(largest)
+        bends = curve.tabulate(np.linspace(*piece.interval, 200))["curvature"]
+        if np.nanmax(np.abs(bends)) * tolerance < 0.5:  # else normals meet, and the error is an upper bound
+            assert distance == pytest.approx(piece.error, rel=1e-5, abs=64 * math.ulp(largest))
 
 
 @pytest.mark.parametrize(("name", "primitive"), COUNTS)

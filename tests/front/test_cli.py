@@ -90,7 +90,7 @@ MISTAKES = {
     "infinite end": (interval("t, t^2", "0", "1/0"), "zero"),
     "pole": (interval("t, 1/(3*t-1)"), r"t = 0\.33333"),
     "pole of a function": (interval("t, tan(t)", "0", "2"), r"t = 1\.570796"),
-    "undefined stretch": (interval("t, sqrt(t)", "-1", "1"), r"t = -0\.\d+"),
+    "undefined stretch": (interval("t, sqrt(t)", "-1", "1"), "t = -1"),
     "undefined end": (interval("t, log(t)"), "t = 0"),
     "no derivative": (interval("t, abs(t)", "-1", "1"), "t = 0"),
     "single point": (interval("1, 2"), "point"),
@@ -226,7 +226,7 @@ def test_an_unknown_prediction_does_not_hide_the_spline(capsys):
         raise UndecidedError("The integral did not settle.")
 
     report.print_spline(Spline(**{**vars(spline), "complexity": unsettled}), 0.1, ())
-    assert "unknown: The integral did not settle." in capsys.readouterr().out
+    assert "unknown: the integral of the theory did not settle" in capsys.readouterr().out
 
 
 def test_many_split_points_are_abridged(capsys):

@@ -85,6 +85,9 @@ def trace_arc(start, rx, ry, degrees, large, sweep, end):
 # --- the exact piece ---
 
 
+STARTS = 6  # of the search for the nearest point
+
+
 class Exact:
     """A piece in exact enough arithmetic."""
 
@@ -110,15 +113,17 @@ class Exact:
     def distance(self, point, allowed):
         """Return the distance of a point to the arc, or a greater number if that is within what is allowed.
 
-        The starts are the nearest sample and the nearest of those apart from it: on a slim ellipse the
-        nearest one may be on the other side.
+        The starts are the nearest sample and then the nearest of those apart from the starts before: on a
+        slim ellipse the nearest one may be on the other side, and its own side has other minima too.
         """
         gaps = np.hypot(*(self.samples - np.array(point, dtype=float)).T)
-        nearest = int(gaps.argmin())
-        best = self.distance_from(point, nearest)
-        if best > allowed:
-            gaps[max(nearest - 50, 0) : nearest + 51] = np.inf
-            best = min(best, self.distance_from(point, int(gaps.argmin())))
+        best = mpmath.inf
+        for _ in range(STARTS):
+            nearest = int(gaps.argmin())
+            best = min(best, self.distance_from(point, nearest))
+            if best <= allowed:
+                break
+            gaps[max(nearest - 15, 0) : nearest + 16] = np.inf
         return best
 
     def distance_from(self, point, i):
