@@ -17,7 +17,7 @@ from osculant.cas.taylor import Program, program
 #: bits of all decisions; the roots of simple zeros are located to about this accuracy
 PRECISION = 320
 #: terms that power series may have; beyond flint's default of 10 it would drop some in silence
-TERMS = 96
+TERMS = 128
 
 #: a form over jets, such as the one that vanishes where the curvature does
 Form = Callable[[PlaneJet], Any]

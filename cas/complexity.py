@@ -20,6 +20,8 @@ from osculant.cas.leading import error_constant
 
 #: steps of the quadrature are 2^−COARSEST … 2^−FINEST; then the interval is halved, DEPTH times at most
 COARSEST, FINEST, DEPTH = 2, 6, 24
+#: two steps that agree to this end the quadrature; the error after the second is less by this factor
+AGREEMENT = 1e-10
 #: nodes nearer to an end than this part of the interval are left out: at the worst end singularity,
 #: t^(−2/5), they weigh less than 1e-18
 NEAREST = 1e-32
@@ -27,7 +29,7 @@ NEAREST = 1e-32
 
 @dataclass(frozen=True)
 class Law:
-    """How the error of one short arc depends on it: c·``invariant``·σ^``order``."""
+    """How the error of one short arc depends on it: c·``invariant``·σ^``order``, for jets of any numbers."""
 
     order: int
     invariant: Callable[[PlaneJet], Any]
@@ -38,21 +40,20 @@ class Law:
         return value.root(self.order) * jet.speed if value > 0 else arb(0) * jet.speed
 
 
+def _parabola(jet: PlaneJet) -> Any:
+    kappa = abs(jet.curvature)
+    return abs(jet.affine_curvature) * kappa * jet.root(kappa * kappa, 3)
+
+
 #: (3.17) and (3.18)
 LAWS = {
-    "parabola": Law(4, lambda jet: abs(jet.affine_curvature) * _power_5_3(abs(jet.curvature))),
+    "parabola": Law(4, _parabola),
     "conic": Law(5, lambda jet: abs(jet.affine_curvature_slope) * jet.curvature * jet.curvature),
 }
 
 
-def _power_5_3(kappa: Any) -> Any:
-    return kappa * (kappa * kappa).root(3)
-
-
-def complexity_constant(
-    curve: CurveBalls, primitive: str, low: Any, high: Any, digits: int = 20
-) -> tuple[Any, float]:
-    """(C, estimated error) over one stretch [low, high] between special points, to about ``digits`` digits.
+def complexity_constant(curve: CurveBalls, primitive: str, low: Any, high: Any) -> tuple[Any, float]:
+    """(C, estimated error) over one stretch [low, high] between special points, to about 20 digits.
 
     Double exponential quadrature in 320-bit balls: algebraic singularities at the ends (inflections,
     cusps, sextactic points) do no harm.  Raises UndecidedError if the finest step does not settle it.
@@ -65,8 +66,6 @@ def complexity_constant(
     1.269590117037
     """
     law = LAWS[primitive]
-    # two steps that agree to half of the digits end the quadrature: the second has about twice as many
-    agreement = 10.0 ** (-digits / 2)
     with precision(PRECISION):
         constant = error_constant(primitive)
 
@@ -77,12 +76,12 @@ def complexity_constant(
         parts = [(low, high, 0)]
         while parts:
             a, b, depth = parts.pop()
-            value, change = double_exponential(density, a, b, agreement)
-            agreed = agreement * max(abs(float(value)), abs(float(total)))
+            value, change = double_exponential(density, a, b)
+            agreed = AGREEMENT * max(abs(float(value)), abs(float(total)))
             if change <= agreed:
                 total, error = (
                     total + value,
-                    error + change * agreement,
+                    error + change * AGREEMENT,
                 )
             elif depth == DEPTH:
                 raise UndecidedError(
@@ -94,15 +93,11 @@ def complexity_constant(
         return total, error
 
 
-def double_exponential(
-    density: Callable[[Any], Any], low: Any, high: Any, agreement: float
-) -> tuple[Any, float]:
+def double_exponential(density: Callable[[Any], Any], low: Any, high: Any) -> tuple[Any, float]:
     """(∫ density, change at the last halving of the step) over [low, high] by tanh-sinh quadrature.
 
-    The step is halved until the value changes by a part of it less than ``agreement``, or is the finest.
-
     >>> with precision(PRECISION):
-    ...     value, change = double_exponential(lambda t: t.sqrt(), arb(0), arb(1), 1e-10)
+    ...     value, change = double_exponential(lambda t: t.sqrt(), arb(0), arb(1))
     >>> abs(float(value) - 2 / 3) < 1e-15, change < 1e-10
     (True, True)
     """
@@ -114,7 +109,7 @@ def double_exponential(
                 total += weight * density(high - size * near)
         previous, value = value, total * size * arb(2) ** -level
         change = abs(float(value - previous))
-        if level > COARSEST and change <= agreement * abs(float(value)):
+        if level > COARSEST and change <= AGREEMENT * abs(float(value)):
             break
     return value, change
 

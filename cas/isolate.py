@@ -8,6 +8,7 @@ and the caller may decide them exactly.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -20,7 +21,7 @@ from osculant.cas.errors import UndecidedError
 #: intervals are divided here, not in the middle, where formulas like to have their special points
 CUT = 0.48713
 #: intervals looked at before all open ones are given back as unresolved
-WORK_LIMIT = 20_000
+WORK_LIMIT = 6_000
 #: the smallest width, in parts of the whole interval, as a power of two
 SMALLEST = 36
 
@@ -105,11 +106,11 @@ def isolate(evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, 
     """
     found = Isolation({name: [] for name in names})
     size = high - low
-    stack = [Box(low, high, tuple(names))]
+    queue = deque([Box(low, high, tuple(names))])  # wide ones first: a hard place must not starve the others
     for _ in range(WORK_LIMIT):
-        if not stack:
+        if not queue:
             return found
-        box = stack.pop()
+        box = queue.popleft()
         width = box.high - box.low
         box.open = tuple(name for name in box.open if not _is_decided(found, name, box))
         box.open = _undecided(evaluate, box, found)
@@ -119,8 +120,8 @@ def isolate(evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, 
             found.unresolved.append(box)
         elif box.open:
             cut = divided(box.low, box.high)
-            stack += [Box(cut, box.high, box.open), Box(box.low, cut, box.open)]
-    found.unresolved += stack
+            queue += [Box(box.low, cut, box.open), Box(cut, box.high, box.open)]
+    found.unresolved += queue
     return found
 
 

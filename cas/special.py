@@ -46,6 +46,10 @@ PARTS: Mapping[str, Form] = {"cusp": lambda jet: (jet.x[1], jet.y[1])}
 LENGTH = 6
 #: Taylor coefficients looked at, in turn, for the multiplicity of a zero
 MULTIPLE = (2, 10, 30, 90)
+#: terms beyond the multiplicity that show a zero to be alone
+BEYOND = 16
+#: unresolved boxes that are nearer than this many widths are one place
+NEAR = 256
 #: two zeros nearer than this, in parts of the interval, are one knot
 SAME = 2.0**-60
 #: probes that may show that a form does not vanish identically
@@ -109,12 +113,15 @@ def special_points(curve: CurveBalls, low: Node, high: Node, names: Sequence[str
         multiple = _MultipleZeros(curve, (low, high))
         found = isolate(evaluate, multiple, names, a, b)
         points = _simple(curve, found, a, b) + multiple.points
+        known = [point.at for point in points]
+        small = (b - a) * NEAR * arb(2) ** -SMALLEST
         for box in _joined(found.unresolved):
-            kinds = frozenset(box.open)
-            narrow = box.high - box.low < (b - a) * arb(2) ** -(SMALLEST - 8)
-            # what the work limit left over may be wide: then both its ends are knots
-            places = [ball(box.low, box.high).mid()] if narrow else [box.low.mid(), box.high.mid()]
-            points += [SpecialPoint(arb(place), kinds, decided=False) for place in places]
+            whole = ball(box.low, box.high)
+            if box.high - box.low < small:
+                places = [next((at for at in known if at.overlaps(whole)), arb(whole.mid()))]
+            else:  # the work limit left it over: then both its ends are knots
+                places = [arb(box.low.mid()), arb(box.high.mid())]
+            points += [SpecialPoint(at, frozenset(box.open), decided=False) for at in places]
         return _merged(points, b - a)
 
 
@@ -163,10 +170,10 @@ def _simple(curve: CurveBalls, found: Isolation, a: Any, b: Any) -> list[Special
 
 
 def _joined(boxes: list[Box]) -> list[Box]:
-    """Unresolved boxes that touch, as one."""
+    """Unresolved boxes as one where less than `NEAR` of their widths lies between them."""
     joined: list[Box] = []
     for box in sorted(boxes, key=lambda box: float(box.low.mid())):
-        if joined and joined[-1].high >= box.low:
+        if joined and joined[-1].high + NEAR * (box.high - box.low) > box.low:
             last = joined.pop()
             box = Box(last.low, box.high, tuple(sorted({*last.open, *box.open})))
         joined.append(box)
@@ -209,8 +216,8 @@ class _MultipleZeros:
         if multiplicity < 2:
             return False  # not a zero, or a simple one, which isolation finds by itself
         centre = arb(whole.mid())
-        over = self.curve.form_series(form, whole, order, multiplicity + 16)
-        around = self.curve.form_series(form, centre, order, multiplicity + 16)
+        over = self.curve.form_series(form, whole, order, multiplicity + BEYOND)
+        around = self.curve.form_series(form, centre, order, multiplicity + BEYOND)
         if over is None or around is None:
             return False
         for _ in range(multiplicity):

@@ -9,7 +9,11 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+import sympy as sp
+
 from osculant.cas import pencil
+from osculant.cas.complexity import LAWS
+from osculant.cas.leading import canonical_coefficients
 from osculant.cas.plane_exact import jet_symbols
 from osculant.codegen.closed_forms import ClosedForm, module_source
 
@@ -67,7 +71,22 @@ def invariants_module() -> str:
     return module_source("cas/invariants.py", [form], {})
 
 
-MODULES = {"pencil.py": pencil_module, "invariants.py": invariants_module}
+def laws_module() -> str:
+    """The densities of the predicted number of pieces over jets of order 5."""
+    jet = jet_symbols()
+    forms = []
+    for crossings, (primitive, law) in enumerate(LAWS.items()):
+        shape, x = pencil.lobe_shape(crossings)
+        peak = sp.Abs(shape.subs(x, pencil.lobes(crossings)["first"]))
+        c = sp.simplify(sp.Rational(canonical_coefficients()[crossings]) * peak)
+        density = (c * law.invariant(jet)) ** sp.Rational(1, law.order) * jet.speed
+        purpose = f"Pieces of a {primitive} spline per unit of the parameter, times ε^(1/{law.order})."
+        arguments = (*jet.x[1:], *jet.y[1:])
+        forms.append(ClosedForm(f"{primitive}_density", purpose, arguments, {"density": density}))
+    return module_source("cas/complexity.py", forms, {})
+
+
+MODULES = {"pencil.py": pencil_module, "invariants.py": invariants_module, "laws.py": laws_module}
 
 
 def main(arguments: list[str]) -> int:

@@ -8,17 +8,17 @@ from osculant.kernels.curve import Frame, Source, sample
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 
-#: (P₀, T₀, P₂, T₂, ĉ, |chord|, sin A, sin B, sin ψ), flattened
+#: (P₀, T₀, P₂, T₂, ĉ, |chord|, sin A, sin B, sin ψ, noise of coordinates), flattened
 Pencil = tuple[
-    float, float, float, float, float, float, float, float, float, float, float, float, float, float
+    float, float, float, float, float, float, float, float, float, float, float, float, float, float, float
 ]
 #: l₀, l₁, l₂, their derivatives along N and along T, the speed and the curvature at one curve point
 View = tuple[float, float, float, float, float, float, float, float, float, float, float]
 
 
 @kernel
-def pencil(start: Frame, end: Frame) -> Pencil:
-    """The pencil of an arc from its end frames."""
+def pencil(start: Frame, end: Frame, noise: float) -> Pencil:
+    """The pencil of an arc from its end frames, whose points are known up to ``noise``."""
     x0, y0, tx0, ty0 = start
     x2, y2, tx2, ty2 = end
     chord = math.sqrt((x2 - x0) ** 2 + (y2 - y0) ** 2)
@@ -26,7 +26,7 @@ def pencil(start: Frame, end: Frame) -> Pencil:
     sin_a = tx0 * cy - ty0 * cx
     sin_b = cx * ty2 - cy * tx2
     sin_psi = tx0 * ty2 - ty0 * tx2
-    return x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, chord, sin_a, sin_b, sin_psi
+    return x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, chord, sin_a, sin_b, sin_psi, noise
 
 
 @kernel
@@ -35,14 +35,15 @@ def is_proper(pen: Pencil) -> bool:
     return pen[10] > 0.0 and pen[11] > 0.0 and pen[12] > 0.0
 
 
-#: angles between the chord and the end tangents below which an arc is straight to rounding
+#: angles between the chord and the end tangents below which an arc is straight …
 FLAT = 1e-13
 
 
 @kernel
 def is_flat(pen: Pencil) -> bool:
     """Whether the chord meets both end tangents as well as doubles can tell: then it is the piece."""
-    return abs(pen[11]) < FLAT and abs(pen[12]) < FLAT and pen[2] * pen[8] + pen[3] * pen[9] > 0.0
+    flat = FLAT + pen[14] / pen[10]  # … where they can be told from rounding
+    return abs(pen[11]) < flat and abs(pen[12]) < flat and pen[2] * pen[8] + pen[3] * pen[9] > 0.0
 
 
 @kernel
@@ -56,7 +57,7 @@ def weight(pen: Pencil, q: float) -> float:
 def view(pen: Pencil, source: Source, t: float) -> View:
     """The three lines of the pencil and their derivatives at α(t)."""
     x, y, tx, ty, speed, curvature = sample(source, t)
-    x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, _, _, _, _ = pen
+    x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, _, _, _, _, _ = pen
     ux, uy, vx, vy = x - x0, y - y0, x - x2, y - y2
     # [v, N] with N = (−T_y, T_x) is the scalar product of v and T
     return (
@@ -75,12 +76,20 @@ def view(pen: Pencil, source: Source, t: float) -> View:
 
 
 @kernel
-def displacement(q: float, seen: View) -> tuple[float, float, float]:
+def displacement(pen: Pencil, q: float, seen: View) -> tuple[float, float, float]:
     """d, ∂d/∂Q and d′ at a point; d is NaN where the normal misses the arc of the member Q."""
     d, by_q, slope, foot0, foot1, foot2 = generated.displacement(q, *seen)
-    if foot0 >= 0.0 and foot1 <= 0.0 and foot2 >= 0.0:
+    noise = pen[14]
+    if foot0 >= -noise and foot1 <= noise and foot2 >= -noise:
         return d, by_q, slope
     return math.nan, by_q, slope
+
+
+@kernel
+def within_noise(pen: Pencil, seen: View) -> bool:
+    """Whether the point is so near an end tangent or the chord that rounding hides on which side it is."""
+    noise = pen[14]
+    return abs(seen[0]) <= noise or abs(seen[1]) <= noise or abs(seen[2]) <= noise
 
 
 @kernel

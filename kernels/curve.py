@@ -3,7 +3,7 @@
 The compiled jet arrives as the address of ``void(double t, double *out)`` writing
 x, x′, x″, y, y′, y″.  Coordinates are taken relative to an origin, scaled by a power of two and, where the
 curve bends to the right, mirrored, so that every kernel sees a curve of size about 1 that bends to
-the left: ``place`` = (origin x, origin y, scale, ±1).
+the left.  ``place`` = (origin x, origin y, scale, ±1, noise) says so, noise being what rounding does to them.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from osculant.kernels.jit import kernel
 #: doubles a jet of order 2 of a plane curve fills
 JET_SIZE = 6
 
-#: (origin x, origin y, scale, ±1)
-Place = tuple[float, float, float, float]
+#: (origin x, origin y, scale, ±1, absolute error of the scaled coordinates)
+Place = tuple[float, float, float, float, float]
 #: (address of the compiled jet, place, scratch space for one jet: `JET_SIZE` doubles)
 Source = tuple[int, Place, np.ndarray[Any, Any]]
 #: (x, y, unit tangent x, unit tangent y) in the kernel's coordinates

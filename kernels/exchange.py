@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from osculant.kernels.bitangent import View, displacement, is_proper, pencil, through, view, weight
+from osculant.kernels.bitangent import Pencil, View, displacement, is_proper, pencil, through, view, weight
 from osculant.kernels.curve import Frame, Source
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
@@ -72,7 +72,7 @@ def sharpened(
 
 
 @kernel
-def balance(first: View, last: View, h: float, sharp1: float, sharp2: float) -> float:
+def balance(pen: Pencil, first: View, last: View, h: float, sharp1: float, sharp2: float) -> float:
     """Q for which the peaks near two points are opposite: safeguarded Newton, NaN if there is none."""
     low, high = through(first), through(last)
     if not (low > 0.0 and high > 0.0):
@@ -80,8 +80,8 @@ def balance(first: View, last: View, h: float, sharp1: float, sharp2: float) -> 
     low, high = min(low, high), max(low, high)
     q, accuracy = 0.5 * (low + high), Q_ACCURACY * (high - low)
     for _ in range(Q_STEPS):
-        d1, by1, slope1 = displacement(q, first)
-        d2, by2, slope2 = displacement(q, last)
+        d1, by1, slope1 = displacement(pen, q, first)
+        d2, by2, slope2 = displacement(pen, q, last)
         if not d1 * d2 < 0.0:
             return math.nan if d1 * d2 != 0.0 else q
         excess = peak(d1, slope1 * h, sharp1) + peak(d2, slope2 * h, sharp2)
@@ -113,7 +113,7 @@ def exchange(
     """
     x1, x2, sharp1, sharp2 = peaks
     h = b - a
-    pen = pencil(start, end)
+    pen = pencil(start, end, source[1][4])
     failed = (math.nan, math.nan, math.nan, peaks, steeps)
     if not is_proper(pen):
         return failed
@@ -122,18 +122,18 @@ def exchange(
         if not pen[13] > 0.0:
             return failed
         q = generated.parabola(pen[11], pen[12], pen[13])
-        d, _, slope = displacement(q, first)
+        d, _, slope = displacement(pen, q, first)
         steep = slope * h / d
         sharp = sharpened(sharp1, before[0], x1, steeps[0], steep)
         top = peak(d, slope * h, sharp)
         x = moved(x1, d, slope * h, sharp)
         return abs(top), q, abs(top / d - 1.0), (x, x, sharp, sharp), (steep, steep)
     last = view(pen, source, a + x2 * h)
-    q = balance(first, last, h, sharp1, sharp2)
+    q = balance(pen, first, last, h, sharp1, sharp2)
     if not (q > 0.0 and weight(pen, q) > -1.0):
         return failed
-    d1, _, slope1 = displacement(q, first)
-    d2, _, slope2 = displacement(q, last)
+    d1, _, slope1 = displacement(pen, q, first)
+    d2, _, slope2 = displacement(pen, q, last)
     if not d1 * d2 < 0.0:
         return failed
     steep1, steep2 = slope1 * h / d1, slope2 * h / d2

@@ -21,7 +21,7 @@ from osculant.kernels.jit import kernel
 from osculant.kernels.scan import GRID, Space, measure, minimax, workspace
 
 #: why an arc ends where it does
-ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT = 0, 1, 2
+ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT, ENDS_EARLY = 0, 1, 2, 3
 #: columns of the table of pieces, as `record` fills them, and which of them says why the arc ends
 COLUMNS, REASON = 13, 4
 #: inner samples of the measurement that decides
@@ -34,6 +34,9 @@ STRIDE = 3.0
 AIM = 0.3
 #: a settled evaluation: peak corrections below this part of the admissible error window
 UNREST = 0.05
+#: if less than this part of an arc would be left to the end of the stretch, doubles can hardly carry what is
+#: left: the arc ends early, after this part of the whole, for a last piece of some length
+SHORT, EARLY = 1e-6, 0.9
 #: evaluations of the careful search
 CAREFUL_STEPS = 200
 
@@ -165,7 +168,7 @@ def spline(
         error = math.inf
         if found:
             end = frame_at(source, b, stop, last)
-            pen = pencil(start, end)
+            pen = pencil(start, end, place[4])
             error = measure(pen, q, source, a, b, CHECKED, space)
         if error <= high and (error >= low or b == stop):
             peaks = after
@@ -175,9 +178,15 @@ def spline(
             if math.isnan(q):
                 return count, a, careful
             end = frame_at(source, b, stop, last)
-            pen = pencil(start, end)
+            pen = pencil(start, end, place[4])
             error = measure(pen, q, source, a, b, GRID, space)
             peaks = first_peaks(primitive)
+        if 0.0 < stop - b < SHORT * (b - a):
+            b, reason = a + EARLY * (stop - a), ENDS_EARLY
+            end = frame(source, b)
+            _, q = minimax(primitive, source, a, start, b, end, space)
+            pen = pencil(start, end, place[4])
+            error = measure(pen, q, source, a, b, GRID, space)
         record(table[count], a, b, q, error, reason, pen)
         if b == stop:
             return count + 1, b, careful

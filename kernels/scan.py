@@ -21,6 +21,7 @@ from osculant.kernels.bitangent import (
     through,
     view,
     weight,
+    within_noise,
 )
 from osculant.kernels.curve import Frame, Source
 from osculant.kernels.exchange import PARABOLA
@@ -38,7 +39,7 @@ LARGEST_TURN = math.cos(0.35)
 #: … and so do those at whose feet conic and curve differ by angles further apart (tangent of the angle)
 LARGEST_LEAN = 0.5
 #: intervals are cut in two at most this often, one within the other, and in all between two samples
-DEPTH, CUTS = 24, 100
+DEPTH, CUTS = 40, 100
 #: visits of one peak at most, and the relative correction of its height that ends them
 VISITS, SETTLED = 8, 1e-7
 #: a peak is not sought nearer than this to an end of its interval, in parts of it
@@ -125,7 +126,7 @@ def height(
     d, before, steepness = math.nan, math.nan, math.nan
     margin = MARGIN * (high - low)  # at an end of the arc the displacement is 0/0
     for _ in range(VISITS):
-        d, _, slope = displacement(q, view(pen, source, t))
+        d, _, slope = displacement(pen, q, view(pen, source, t))
         if not math.isfinite(d):
             return math.nan
         if t != before and slope != steepness and not math.isnan(before):
@@ -191,7 +192,7 @@ def extremes_between(
             cuts += 1
             middle = 0.5 * (t0 + t)
             seen = view(pen, source, middle)
-            value, _, slope = displacement(q, seen)
+            value, _, slope = displacement(pen, q, seen)
             if not math.isfinite(value):
                 return missed(q, seen)
             new = pending[open_ends]
@@ -224,7 +225,7 @@ def extremes(
         if i < count:
             seen = at_row(space[0], i)
             t1 = space[0][i, ROW_SIZE - 1]
-            d1, _, s1 = displacement(q, seen)
+            d1, _, s1 = displacement(pen, q, seen)
             if not math.isfinite(d1):
                 return missed(q, seen)
             l1 = lean(s1, d1, seen)
@@ -275,7 +276,7 @@ def minimax(
     d decreases or increases with Q at every point at once, so max d + min d has one zero, between
     the least and the greatest Q of the members through the samples.
     """
-    pen = pencil(start, end)
+    pen = pencil(start, end, source[1][4])
     if is_flat(pen):
         return measure(pen, 0.0, source, a, b, GRID, space), 0.0
     if not is_proper(pen):
@@ -291,10 +292,15 @@ def minimax(
         return (math.inf if math.isnan(top) else max(top, -bottom)), q
     low, high = math.inf, 0.0
     for i in range(count):
-        q = through(at_row(space[0], i))
+        seen = at_row(space[0], i)
+        if within_noise(pen, seen):  # says nothing
+            continue
+        q = through(seen)
         if math.isnan(q):
             return math.inf, math.nan
         low, high = min(low, q), max(high, q)
+    if high == 0.0:
+        return math.inf, math.nan
     return balanced(pen, source, a, b, space, count, low, high)
 
 

@@ -6,12 +6,15 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, Literal
 
-from osculant.asymptotics import DIGITS_FOR_SPLINES, Complexity, complexity_of
+from osculant.asymptotics import Complexity, complexity_of, quick_complexity
 from osculant.cas.errors import DomainError
 from osculant.plane import PlaneCurve
 from osculant.spline import Spline
 from osculant.stretches import BREAKS, Division, check_finite, divide
 from osculant.tolerances import check_floor, checked_tolerance
+
+#: pieces that may be due to the window of errors before the least number is called unknown
+CERTAIN_SLACK = 0.5
 
 
 def curve(formulas: Any, low: Any = None, high: Any = None) -> PlaneCurve:
@@ -53,7 +56,8 @@ def approximate(
     Returns a `Spline`: its pieces' errors are measured on common normals of curve and piece after the
     search and lie within the tolerance; a piece that ends neither at a split point nor at the end
     has its error in [ε(1−δ), ε], δ = max(1e-6, 32 ulp(largest coordinate)/ε).  The errors are
-    estimates, not certificates.
+    estimates, not certificates.  They are Hausdorff distances while smaller than the curve's radii of
+    curvature; beyond, upper bounds of them.
 
     Raises DomainError where the curve is undefined, ToleranceError for a tolerance that is not a
     positive number or lies below the rounding floor, UndecidedError where a cap was reached.
@@ -81,14 +85,14 @@ def approximate(
         found = fitting.pieces(stretch, progress)
         pieces += found
         least.append(len(found) if stretch.kind == "exact" else 1)
-    law = partial(complexity_of, curve, primitive, division, tuple(least), DIGITS_FOR_SPLINES)
+    law = partial(quick_complexity, curve, primitive, division, tuple(least), size.scale)
     return Spline(
         curve,
         primitive,
         metric,
         tolerance,
         tuple(pieces),
-        _minimal(division, len(pieces), fitting.limited),
+        _minimal(division, len(pieces), fitting.limited or fitting.slack * len(pieces) > CERTAIN_SLACK),
         division.undecided,
         division.splits,
         lambda: _Prediction(law(), tolerance),

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from osculant.stretches import Division
 
 
+#: the error of one short arc is of this order in its length (`osculant.cas.complexity.LAWS`)
+ORDERS = {"parabola": 4, "conic": 5}
 #: a predicted number above an integer by less than this part of it is that integer
 ROUNDING = 1e-12
 
@@ -70,20 +72,47 @@ class Complexity:
 
 
 #: digits of a constant by itself, and of one that only predicts a spline's number of pieces
-DIGITS, DIGITS_FOR_SPLINES = 20, 12
+DIGITS, DIGITS_FOR_SPLINES = 20, 9
 
 
 def complexity_of(
-    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...], digits: int = DIGITS
+    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...]
 ) -> Complexity:
-    """The complexity of a divided curve; ``least`` pieces are needed on each stretch in any case."""
-    from osculant.cas.complexity import LAWS, complexity_constant
+    """The complexity of a divided curve; ``least`` pieces are needed on each stretch in any case.
+
+    Integrated in ball arithmetic; raises UndecidedError if that does not settle.
+    """
+    from osculant.cas.complexity import complexity_constant
 
     constants = []
     for stretch in division.stretches:
         if stretch.kind != "generic":
             constants.append("0")
             continue
-        value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high, digits)
-        constants.append(value.str(digits, radius=False))
-    return Complexity(primitive, "hausdorff", LAWS[primitive].order, tuple(constants), least, digits)
+        value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high)
+        constants.append(value.str(DIGITS, radius=False))
+    return Complexity(primitive, "hausdorff", ORDERS[primitive], tuple(constants), least, DIGITS)
+
+
+def quick_complexity(
+    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...], scale: float
+) -> Complexity:
+    """The same in doubles, to predict a spline's pieces; ``scale`` makes the curve's size about 1."""
+    from osculant.cas.complexity import complexity_constant
+    from osculant.codegen.jets import compile_jet
+    from osculant.fitting import PRIMITIVES
+    from osculant.kernels.quadrature import predicted
+
+    order = ORDERS[primitive]
+    jet = compile_jet(curve.coordinates, 5)  # owns the code at its address
+    constants = []
+    for stretch in division.stretches:
+        constant = 0.0
+        if stretch.kind == "generic":
+            constant = predicted(PRIMITIVES[primitive], jet.address, scale, stretch.a, stretch.b)
+        # N = C ε^{−1/p} has no unit: the constant of the scaled curve belongs to the scaled tolerance
+        constant *= scale ** (-1.0 / order)
+        if math.isnan(constant):  # rounding beside a singular end: balls know better
+            constant = float(complexity_constant(curve.balls, primitive, stretch.low, stretch.high)[0])
+        constants.append(repr(constant))
+    return Complexity(primitive, "hausdorff", order, tuple(constants), least, DIGITS_FOR_SPLINES)

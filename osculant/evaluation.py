@@ -12,21 +12,19 @@ if TYPE_CHECKING:
 
 #: digits that may be asked for; Python converts no integer of more than 4300 digits to text
 MOST_DIGITS = 4000
-#: bits spent beyond the digits asked for at first, and how often they are doubled at most
-GUARD, DOUBLINGS = 64, 4
+#: bits spent beyond the digits asked for at first, and how often they are doubled
+GUARD, DOUBLINGS = 64, 6
 
 
 def invariants_to_digits(curve: CurveBalls, at: Node, digits: int) -> dict[str, Any]:
     """The invariants of `cas.invariants.INVARIANTS` at a constant, as mpmath numbers by name.
 
     The balls around them are made narrower until ``digits`` digits are certain.  A value whose ball still
-    contains 0 after that, with an absolute error far below 10^−digits, is returned as 0; None stands for
-    what does not exist (or cannot be told from it) at this point.
+    contains 0 with more than 2000 bits is returned as 0; None stands for what does not exist (or cannot be
+    told from it) at this point.
 
     Raises DomainError where the curve has no five finite derivatives, or for a silly number of digits.
     """
-    from flint import arb
-
     from osculant.cas.balls import constant, precision
     from osculant.cas.invariants import INVARIANTS
     from osculant.cas.text import to_text
@@ -45,8 +43,7 @@ def invariants_to_digits(curve: CurveBalls, at: Node, digits: int) -> dict[str, 
                     "choose another point."
                 )
             balls = {invariant.name: invariant.of(jet) for invariant in INVARIANTS}
-            tiny = arb(10) ** -(digits + 10)
-            if all(_certain(part, digits, tiny) for value in balls.values() for part in _parts(value)):
+            if all(_certain(part, digits) for value in balls.values() for part in _parts(value)):
                 break
         bits *= 2
     return {name: _number(value, digits) for name, value in balls.items()}
@@ -58,10 +55,8 @@ def _parts(value: Any) -> tuple[Any, ...]:
     return value if isinstance(value, tuple) else (value,)
 
 
-def _certain(ball: Any, digits: int, tiny: Any) -> bool:
-    if not ball.is_finite():
-        return False
-    return bool(ball.rel_accuracy_bits() > 3.33 * digits + 2 or (ball.contains(0) and abs(ball) < tiny))
+def _certain(ball: Any, digits: int) -> bool:
+    return bool(ball.is_finite() and (ball == 0 or ball.rel_accuracy_bits() > 3.33 * digits + 2))
 
 
 def _number(value: Any, digits: int) -> Any:

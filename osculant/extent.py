@@ -42,7 +42,9 @@ def extent(curve: PlaneCurve) -> Extent:
 
     a, b = curve.interval
     jets = np.empty((SAMPLES, JET_SIZE))
-    sample_many(curve.compiled.address, np.linspace(a, b, SAMPLES), jets)
+    with np.errstate(all="ignore"):
+        times = np.linspace(a, b, SAMPLES)
+    sample_many(curve.compiled.address, times, jets)
     # a double next to an end may lie outside the interval, where the formula need not be defined
     points = jets[:, [0, 3]]
     if not np.isfinite(points[1:-1]).all():
@@ -51,8 +53,12 @@ def extent(curve: PlaneCurve) -> Extent:
             "scale it or take a smaller interval."
         )
     points = points[np.isfinite(points).all(axis=1)]
+    with np.errstate(over="ignore"):
+        size = float(np.ptp(points, axis=0).max())
+    if not math.isfinite(size):
+        raise DomainError(f"The curve {curve.text} is too large for double numbers: scale it.")
     return Extent(
         (float(points[0, 0]), float(points[0, 1])),
         float(np.abs(points).max()),
-        float(np.ptp(points, axis=0).max()),
+        size,
     )

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from osculant.asymptotics import ORDERS
 from osculant.cas.errors import UndecidedError
 from osculant.kernels import bitangent, exchange, greedy, scan
-from osculant.kernels.curve import JET_SIZE, sample_many
+from osculant.kernels.curve import JET_SIZE, Place, sample_many
 from osculant.kernels.jit import announce
 from osculant.pieces import Piece, classify
 from osculant.stretches import Division, Frame, Stretch
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from osculant.extent import Extent
     from osculant.plane import PlaneCurve
 
+#: rounding units of the largest coordinate that positions may be wrong by
+NOISE_ULPS = 4
 #: pieces per call of the kernel
 CHUNK = 4096
 #: more pieces than this are not made
@@ -35,7 +38,7 @@ class Job(NamedTuple):
 
     primitive: int
     address: int
-    place: tuple[float, float, float, float]
+    place: Place
     a: float
     start: tuple[float, float, float, float]
     stop: float
@@ -55,7 +58,10 @@ class Fitting:
         self.curve, self.primitive, self.tolerance = curve, primitive, tolerance
         self.division = division
         self.origin, self.scale = size.origin, size.scale
+        self.noise = NOISE_ULPS * math.ulp(size.largest) * size.scale
         self.window = window(tolerance, size.largest)
+        #: how many pieces too many one piece may be, its error being anywhere in the window
+        self.slack = (1 - self.window[0] / tolerance) / ORDERS[primitive]
         #: whether a piece ended where no longer arc had a proper conic or parabola, short of the tolerance
         self.limited = False
 
@@ -69,11 +75,11 @@ class Fitting:
         if stretch.kind == "segment":
             return [Piece.segment((stretch.a, stretch.b), stretch.start.point, stretch.end.point)]
         if stretch.kind == "exact":
-            return self._exact_pieces(stretch)
+            return self._exact_pieces(stretch, progress)
         return self._greedy_pieces(stretch, progress)
 
-    def _place(self, stretch: Stretch) -> tuple[float, float, float, float]:
-        return (*self.origin, self.scale, stretch.bend)
+    def _place(self, stretch: Stretch) -> Place:
+        return (*self.origin, self.scale, stretch.bend, self.noise)
 
     def _local(self, frame: Frame, bend: float) -> tuple[float, float, float, float]:
         (x, y), (tx, ty) = frame.point, frame.tangent
@@ -112,7 +118,8 @@ class Fitting:
             if count < CHUNK and reached < stretch.b:
                 raise UndecidedError(
                     f"No {self.primitive} within {self.tolerance:g} was found for the curve after "
-                    f"t = {reached:.15g}: choose a larger tolerance, or a split point there."
+                    f"t = {reached:.15g}, where double numbers cannot follow it: choose a split point there, "
+                    "or another interval."
                 )
             if len(pieces) > MOST_PIECES:
                 raise UndecidedError(
@@ -141,7 +148,7 @@ class Fitting:
         middle = (w * start[0] + reach * tx, w * start[1] + reach * ty * bend)
         return Piece(kind, (a, b), start, end, middle, w, error * back)
 
-    def _exact_pieces(self, stretch: Stretch) -> list[Piece]:
+    def _exact_pieces(self, stretch: Stretch, progress: Callable[[float], None] | None) -> list[Piece]:
         """The least number of arcs turning less than π each, of equal affine length, of a conic itself."""
         source = (self.curve.compiled.address, self._place(stretch), np.empty(JET_SIZE))
         space = scan.workspace()
@@ -151,14 +158,12 @@ class Fitting:
         pieces = []
         row = np.empty(greedy.COLUMNS)
         for a, b, start, end in zip(knots, knots[1:], frames, frames[1:]):
-            pencil = bitangent.pencil(start, end)
+            pencil = bitangent.pencil(start, end, self.noise)
             q = bitangent.through(bitangent.view(pencil, source, a + 0.4871 * (b - a)))
             attained = scan.measure(pencil, q, source, a, b, scan.GRID, space) / self.scale
-            if not attained <= self.tolerance:
-                raise UndecidedError(
-                    f"The curve {self.curve.text} looks like a conic, but its own arc leaves it by "
-                    f"{attained:.3g} between t = {a:.10g} and {b:.10g}: shorten the interval."
-                )
+            if not attained <= self.tolerance:  # a bend too sharp for the arc's doubles: search instead
+                self.limited = True
+                return self._greedy_pieces(stretch, progress)
             greedy.record(row, a, b, q, 0.0 if self.division.proved else attained * self.scale, 0, pencil)
             pieces.append(self._piece(row, stretch.bend))
         return pieces

@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from osculant.cas.plane_exact import ExactInvariants
     from osculant.codegen.jets import CompiledJet
 
+#: characters of a constant shown in messages
+LONGEST_SHOWN = 40
+#: intervals shorter than this part of their ends are beyond doubles
+RESOLVED = 1e-13
 #: digits of `PlaneCurve.at` if nothing else is asked for
 DIGITS = 15
 
@@ -86,8 +90,17 @@ class PlaneCurve:
                     )
             if not a < b:
                 raise DomainError(
-                    f"The interval from {to_text(low)} to {to_text(high)} is empty or reversed: "
+                    f"The interval from {_shown(low)} to {_shown(high)} is empty or reversed: "
                     "the first end must be smaller than the second."
+                )
+            if not (
+                math.isfinite(float(a))
+                and math.isfinite(float(b))
+                and float(b) - float(a) > RESOLVED * max(abs(float(a)), abs(float(b)))
+            ):
+                raise DomainError(
+                    f"The interval from {_shown(low)} to {_shown(high)} is too short or too far out for "
+                    "double numbers: scale the parameter."
                 )
 
     @property
@@ -175,6 +188,12 @@ class PlaneCurve:
     def __repr__(self) -> str:
         where = "" if self._ends is None else f", t from {to_text(self._ends[0])} to {to_text(self._ends[1])}"
         return f"<PlaneCurve {self.text}{where}>"
+
+
+def _shown(constant: Node) -> str:
+    """A constant in a message: its formula, unless that is long."""
+    text = to_text(constant)
+    return text if len(text) <= LONGEST_SHOWN else text[: LONGEST_SHOWN - 1] + "…"
 
 
 def _coordinates(given: Any) -> tuple[Node, Node]:
