@@ -7,6 +7,7 @@ READY := .venv/.ready
 .PHONY: demo test lint generate bench notebooks clean
 
 demo: $(READY)
+	@mkdir -p out
 	$(BIN)/osculant approximate "t*cos(t), t*sin(t)" --from pi/6 --to 2*pi \
 		--with conic --tolerance 1e-6 --write out/spiral.svg
 

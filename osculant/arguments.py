@@ -197,10 +197,10 @@ def check_files(write: Sequence[str], plot: str | None) -> None:
 def _check_place(file: str) -> None:
     target = Path(os.path.realpath(file))
     folder = target.parent
-    while not os.path.exists(folder):
-        folder = folder.parent
     if os.path.isdir(target):
         reason = "it is a folder"
+    elif not os.path.exists(folder):
+        reason = f"there is no folder {folder}; make it first"
     elif not os.path.isdir(folder):
         reason = f"{folder} is not a folder"
     elif not os.access(folder, os.W_OK | os.X_OK):

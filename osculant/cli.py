@@ -11,7 +11,6 @@ import shlex
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
-from pathlib import Path
 from time import perf_counter
 from typing import Annotated
 
@@ -113,8 +112,6 @@ def approximate(
             progress=progress,
         )
     seconds = perf_counter() - began
-    for file in files:
-        Path(file).parent.mkdir(parents=True, exist_ok=True)
     for file in write or []:
         spline.write(file, command=context.obj)
     if plot is not None:

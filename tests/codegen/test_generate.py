@@ -20,6 +20,7 @@ from osculant.cas.functions import copysign
 from osculant.cas.sympy_bridge import cbrt
 from osculant.codegen import generate
 from osculant.codegen.closed_forms import ClosedForm, function_source, module_source
+from osculant.kernels.generated import laws
 from osculant.kernels.generated import pencil as printed
 from osculant.kernels.generated.invariants import invariants
 
@@ -206,6 +207,21 @@ def exact_invariants():
     }
     plain = {n: e.subs({jets.v: speed, jets.phi: root}).subs(arguments) for n, e in results.items()}
     return in_50_digits(ClosedForm("invariants", "", tuple(arguments.values()), plain))
+
+
+@given(st.lists(signed, min_size=10, max_size=10))
+@settings(max_examples=40, deadline=None)
+def test_printed_laws(numbers):
+    """Theorem 3.6.1 to the power 1/p, from the invariants' definitions."""
+    speed, kappa, _, _, k, slope = exact_invariants()(*numbers)
+    if abs(kappa) * speed**3 > 0.1:
+        with mpmath.workdps(50):
+            parabola = (abs(k) * mpmath.cbrt(abs(kappa)) ** 5 / 128) ** (mpmath.mpf(1) / 4) * speed
+            conic = mpmath.root(abs(slope) * kappa**2 / (2000 * mpmath.sqrt(5)), 5) * speed
+        for function, value in ((laws.parabola_density, parabola), (laws.conic_density, conic)):
+            if value > 1e-2:  # a root makes much of the rounding of what nearly vanishes
+                assert agrees(function, lambda *_, x=value: [x], numbers, 1e-8)
+                assert not agrees(function, lambda *_, x=value: [x * (1 + 1e-6)], numbers, 1e-8)
 
 
 # What the printer makes of an expression.

@@ -154,7 +154,8 @@ UNWRITABLE = {
     "no suffix": (["--write", "svg"], r"\.svg and \.json"),
     "no name": (["--write", ""], "without a name"),
     "folder": (["--write", "folder.svg"], r"folder\.svg: it is a folder"),
-    "below a file": (["--write", "file/sub/a.svg"], "file is not a folder"),
+    "no folder": (["--write", "none/a.svg"], "there is no folder"),
+    "below a file": (["--write", "file/a.svg"], "file is not a folder"),
     "second file": (["--write", "a.svg", "--write", "file/a.json"], "file is not a folder"),
     "picture suffix": (["--plot", "a.xyz"], r"a\.xyz.*\.pdf"),
     "picture place": (["--plot", "file/a.png"], "file is not a folder"),
@@ -190,15 +191,15 @@ def test_known_suffixes_are_those_of_the_spline(tmp_path, capsys):
         Spline.write(None, "spline.xyz")
 
 
-def test_files_are_written_into_new_folders(tmp_path, capsys):
-    picture, data = tmp_path / "new" / "a.svg", tmp_path / "also" / "new" / "b.json"
+def test_several_files_are_written(tmp_path, capsys):
+    picture, data = tmp_path / "a.svg", tmp_path / "b.json"
     assert main([*CUBIC, "--write", str(picture), "--write", str(data), "--json"]) == 0
     assert json.loads(data.read_text()) == json.loads(capsys.readouterr().out)
     assert "osculant approximate 't, t^3' --from 0 --to 1 --write" in picture.read_text()
 
 
 def test_a_failed_computation_leaves_nothing(tmp_path, capsys):
-    target = tmp_path / "new" / "a.svg"
+    target = tmp_path / "a.svg"
     assert main([*interval("t, 1/t", "-1", "1"), "--write", str(target)]) == 2
     assert list(tmp_path.iterdir()) == []
 
@@ -317,6 +318,7 @@ README = (DATA.parents[1] / "README.md").read_text(encoding="utf-8")
 @pytest.mark.parametrize("block", re.findall(r"```\n\$ osculant (.*?)```", README, re.DOTALL))
 def test_the_readme_shows_real_output(block, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
+    Path("out").mkdir()
     command, shown = block.split("\n", maxsplit=1)
     assert main(shlex.split(command)) == 0
 
