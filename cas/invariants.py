@@ -127,21 +127,6 @@ class PlaneJet:
         """m = 3ṅD − 8nḊ = 27D⁴ dk/dr: zero exactly where dk/dr = 0, given D ≠ 0."""
         return 3 * self.parabolic_rate * self.inflection_form - 8 * self.parabolic_form * self.inflection_rate
 
-    @cached_property
-    def sextactic_rate(self) -> Any:
-        """ṁ = 3n̈D − 5ṅḊ − 8nD̈; needs the sixth derivatives."""
-        bracket = self.bracket
-        curving = (  # n̈
-            self._inflection_rate_2 * (2 * bracket(2, 3) - 7 * bracket(1, 4))
-            + self.inflection_rate * (10 * bracket(2, 4) - 4 * bracket(1, 5))
-            + 3 * self.inflection_form * (5 * bracket(3, 4) + 6 * bracket(2, 5) + bracket(1, 6))
-        )
-        return (
-            3 * curving * self.inflection_form
-            - 5 * self.parabolic_rate * self.inflection_rate
-            - 8 * self.parabolic_form * self._inflection_rate_2
-        )
-
     # Euclidean invariants.
 
     @cached_property

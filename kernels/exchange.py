@@ -4,7 +4,7 @@ A conic's error has two peaks of opposite sign, equal for the minimax conic; a p
 The peaks' places and sharpnesses, in units of the arc, change slowly from arc to arc, so the caller
 keeps them in a `Peaks` tuple: each call samples the curve at the believed peaks, chooses Q, and moves
 the peaks by one Newton step.  Nothing is bracketed here: a result is trusted only if it is
-consistent, and `greedy` has `scan` to fall back on.
+consistent, and `greedy` has `minimax` to fall back on.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Each arc's end is found by secant steps on log error against log length, with `exchange` as the
 evaluation (about three curve samples each); whatever does not come out consistent goes through a
-bracketed search on `scan.minimax`.  An arc is kept only after `scan.measure` has found its error, on
+bracketed search on `minimax`.  An arc is kept only after `scan.measure` has found its error, on
 common normals of its own, within the tolerance.
 """
 
@@ -18,7 +18,8 @@ from osculant.kernels.curve import JET_SIZE, Frame, Place, Source, sample
 from osculant.kernels.exchange import PARABOLA, Peaks, exchange, first_peaks
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
-from osculant.kernels.scan import GRID, Space, measure, minimax, workspace
+from osculant.kernels.minimax import minimax
+from osculant.kernels.scan import GRID, Space, measure, workspace
 
 #: why an arc ends where it does
 ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT, ENDS_EARLY = 0, 1, 2, 3

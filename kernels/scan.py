@@ -1,7 +1,6 @@
-"""The careful step: errors measured over a whole grid of the arc, roots always bracketed.
+"""Errors of one member of a pencil, measured over samples of the whole arc.
 
-`measure` finds the peaks of the displacement of one member, at the common normals of arc and conic;
-`minimax` finds the best member of a pencil whatever the number and place of its error's peaks.
+`measure` finds the peaks of the displacement, at the common normals of arc and conic.
 """
 
 from __future__ import annotations
@@ -11,26 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.bitangent import (
-    Pencil,
-    View,
-    displacement,
-    is_flat,
-    is_proper,
-    pencil,
-    through,
-    view,
-    weight,
-    within_noise,
-)
-from osculant.kernels.curve import Frame, Source
-from osculant.kernels.exchange import PARABOLA
-from osculant.kernels.generated import pencil as generated
+from osculant.kernels.bitangent import Pencil, View, displacement, through, view
+from osculant.kernels.curve import Source
 from osculant.kernels.jit import kernel
 
 #: numbers of a row: a `View` and its parameter value
 ROW_SIZE = 12
-#: equidistant points that `minimax` begins with, and rows for them and for those put between
+#: equidistant points of a careful look, and rows for them and for those put between
 GRID, ROWS = 40, 400
 #: (rows for views, stack for intervals): what `workspace` makes
 Space = tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]
@@ -44,8 +30,6 @@ DEPTH, CUTS = 40, 100
 VISITS, SETTLED = 8, 1e-7
 #: a peak is not sought nearer than this to an end of its interval, in parts of it
 MARGIN = 0.01
-#: rounds of the search for Q, and its relative accuracy
-ROUNDS, BALANCED = 80, 1e-12
 
 
 @kernel
@@ -262,71 +246,3 @@ def measure(
         return float(np.abs(space[0][:count, 1]).max())  # |l₁|, the distance from the chord
     top, bottom = extremes(pen, q, source, a, b, space, count)
     return math.inf if math.isnan(top) else max(top, -bottom)
-
-
-@kernel
-def minimax(
-    primitive: int, source: Source, a: float, start: Frame,
-    b: float, end: Frame, space: Space,
-) -> tuple[float, float]:  # fmt: skip
-    """(error, Q) of the best conic, or of the parabola, of the arc [a, b]; error infinite if none.
-
-    Q = 0 is the chord, of an arc that is straight to rounding.
-
-    d decreases or increases with Q at every point at once, so max d + min d has one zero, between
-    the least and the greatest Q of the members through the samples.
-    """
-    pen = pencil(start, end, source[1][4])
-    if is_flat(pen):
-        return measure(pen, 0.0, source, a, b, GRID, space), 0.0
-    if not is_proper(pen):
-        return math.inf, math.nan
-    count = look(pen, source, a, b, GRID, space)
-    if count < 0:
-        return math.inf, math.nan
-    if primitive == PARABOLA:
-        if not pen[13] > 0.0:
-            return math.inf, math.nan
-        q = generated.parabola(pen[11], pen[12], pen[13])
-        top, bottom = extremes(pen, q, source, a, b, space, count)
-        return (math.inf if math.isnan(top) else max(top, -bottom)), q
-    low, high = math.inf, 0.0
-    for i in range(count):
-        seen = at_row(space[0], i)
-        if within_noise(pen, seen):  # says nothing
-            continue
-        q = through(seen)
-        if math.isnan(q):
-            return math.inf, math.nan
-        low, high = min(low, q), max(high, q)
-    if high == 0.0:
-        return math.inf, math.nan
-    return balanced(pen, source, a, b, space, count, low, high)
-
-
-@kernel
-def balanced(
-    pen: Pencil, source: Source, a: float, b: float,
-    space: Space, count: int, low: float, high: float,
-) -> tuple[float, float]:  # fmt: skip
-    """(error, Q) with max d = −min d, Q in [low, high]: false position, bisection where it is slow."""
-    excess_low, excess_high = math.nan, math.nan
-    error, q = math.inf, math.nan
-    for step in range(ROUNDS):
-        q = 0.5 * (low + high)
-        if step % 3 and math.isfinite(excess_low) and math.isfinite(excess_high):
-            q = (low * excess_high - high * excess_low) / (excess_high - excess_low)
-        top, bottom = math.nan, 1.0  # an unbounded arc: w < 0 falls with Q
-        if weight(pen, q) > -1.0:
-            top, bottom = extremes(pen, q, source, a, b, space, count)
-        if math.isnan(top):
-            excess, error, too_large = math.nan, math.inf, bottom > 0.0
-        else:  # ∂d/∂Q < 0 inside the tangents of an arc that bends to the left
-            excess, error, too_large = top + bottom, max(top, -bottom), top + bottom < 0.0
-        if abs(excess) <= BALANCED * error or high - low <= BALANCED * high:
-            break
-        if too_large:
-            high, excess_high = q, excess
-        else:
-            low, excess_low = q, excess
-    return error, q

@@ -98,7 +98,6 @@ def test_rates_are_derivatives():
     form = GENERIC.parabolic_form
     assert equal(GENERIC.inflection_rate, derivative(GENERIC.inflection_form))
     assert equal(GENERIC.parabolic_rate, derivative(form))
-    assert equal(GENERIC.sextactic_rate, derivative(GENERIC.sextactic_form))
     assert not equal(GENERIC.parabolic_rate + GENERIC.bracket(1, 5), derivative(form))
 
 

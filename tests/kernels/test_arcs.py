@@ -11,6 +11,7 @@ from osculant.cas.formula import parse_tuple
 from osculant.codegen.jets import compile_jet
 from osculant.kernels import bitangent, exchange, greedy, scan
 from osculant.kernels.curve import JET_SIZE, sample, sample_many
+from osculant.kernels.minimax import minimax
 
 NOISE = 4 * math.ulp(1.0)
 SPIRAL = compile_jet(parse_tuple("t*cos(t), t*sin(t)"), 2)
@@ -75,7 +76,7 @@ def grid_error(source, pencil, q, a, b, n=4001):
 @pytest.mark.parametrize(("a", "b"), [(0.6, 1.0), (0.6, 3.6), (1.0, 4.7), (5.0, 5.2)])
 def test_minimax_is_the_best_of_the_pencil(a, b):
     source, start, end, pencil = arc(SPIRAL, a, b)
-    error, q = scan.minimax(exchange.CONIC, source, a, start, b, end, scan.workspace())
+    error, q = minimax(exchange.CONIC, source, a, start, b, end, scan.workspace())
     top, bottom = grid_error(source, pencil, q, a, b)
     assert top == pytest.approx(error, rel=1e-5)
     assert bottom == pytest.approx(-error, rel=1e-5)
@@ -88,7 +89,7 @@ def test_minimax_is_the_best_of_the_pencil(a, b):
 @pytest.mark.parametrize(("a", "b"), [(0.6, 1.0), (2.0, 3.5), (5.0, 5.2)])
 def test_fast_and_careful_steps_agree(primitive, a, b):
     source, start, end, _ = arc(SPIRAL, a, b)
-    error, q = scan.minimax(primitive, source, a, start, b, end, scan.workspace())
+    error, q = minimax(primitive, source, a, start, b, end, scan.workspace())
     peaks, nan = exchange.first_peaks(primitive), math.nan
     steeps, before = (nan, nan), (nan, nan)
     for _ in range(8):
@@ -107,7 +108,7 @@ def test_mirrored_curves_have_the_same_errors():
     results = []
     for jet, flip in ((SPIRAL, 1.0), (mirrored, -1.0)):
         source, start, end, _ = arc(jet, 1.0, 2.0, flip)
-        results.append(scan.minimax(exchange.CONIC, source, 1.0, start, 2.0, end, scan.workspace()))
+        results.append(minimax(exchange.CONIC, source, 1.0, start, 2.0, end, scan.workspace()))
     assert results[0] == results[1]
 
 
@@ -120,7 +121,7 @@ def test_a_sharp_bend_between_samples_is_found():
     assert max(map(abs, grid_error(source, pencil, q, a, b, 40001))) > 0.44
     assert max(map(abs, grid_error(source, pencil, q, a, b, 10))) < 0.1
     assert scan.measure(pencil, q, source, a, b, 8, scan.workspace()) > 0.44
-    assert scan.minimax(exchange.PARABOLA, source, a, start, b, end, scan.workspace())[0] > 0.44
+    assert minimax(exchange.PARABOLA, source, a, start, b, end, scan.workspace())[0] > 0.44
 
 
 def test_arcs_without_a_proper_conic():
@@ -128,29 +129,26 @@ def test_arcs_without_a_proper_conic():
     s_curve = compile_jet(parse_tuple("t, t^3"), 2)
     source, start, end, pencil = arc(s_curve, -1.0, 1.0)
     assert not bitangent.is_proper(pencil)
-    assert scan.minimax(exchange.CONIC, source, -1.0, start, 1.0, end, scan.workspace())[0] == math.inf
+    assert minimax(exchange.CONIC, source, -1.0, start, 1.0, end, scan.workspace())[0] == math.inf
     source, start, end, pencil = arc(line, 0.0, 1.0)
     assert bitangent.is_flat(pencil)
-    error, q = scan.minimax(exchange.CONIC, source, 0.0, start, 1.0, end, scan.workspace())
+    error, q = minimax(exchange.CONIC, source, 0.0, start, 1.0, end, scan.workspace())
     assert (q, error) == (0.0, pytest.approx(0.0, abs=1e-15))
     # more than one turn: the end points and tangents alone would not show it
     source, start, end, pencil = arc(SPIRAL, 10.0, 10.0 + 2.5 * math.pi)
     assert (
-        scan.minimax(exchange.CONIC, source, 10.0, start, 10.0 + 2.5 * math.pi, end, scan.workspace())[0]
+        minimax(exchange.CONIC, source, 10.0, start, 10.0 + 2.5 * math.pi, end, scan.workspace())[0]
         == math.inf
     )
     # a parabola does not turn by π
     source, start, end, _ = arc(SPIRAL, 1.0, 1.0 + math.pi)
-    assert (
-        scan.minimax(exchange.PARABOLA, source, 1.0, start, 1.0 + math.pi, end, scan.workspace())[0]
-        == math.inf
-    )
+    assert minimax(exchange.PARABOLA, source, 1.0, start, 1.0 + math.pi, end, scan.workspace())[0] == math.inf
 
 
 def test_an_error_below_rounding_is_no_failure():
     circle = compile_jet(parse_tuple("cos(t), sin(t)"), 2)
     source, start, end, _ = arc(circle, 0.3, 0.31)
-    error, q = scan.minimax(exchange.CONIC, source, 0.3, start, 0.31, end, scan.workspace())
+    error, q = minimax(exchange.CONIC, source, 0.3, start, 0.31, end, scan.workspace())
     assert error < 1e-15
     assert q > 0
 
