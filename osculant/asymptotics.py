@@ -28,7 +28,7 @@ class Complexity:
     ``least`` pieces.
 
     >>> law = Complexity("conic", "hausdorff", 5, ("1.5", "0"), (1, 2), 15)
-    >>> law.constant, law.predicted(1e-5), law.predicted_pieces(1e-5)
+    >>> law.constant, round(law.predicted(1e-5), 9), law.predicted_pieces(1e-5)
     (1.5, 15.0, 17)
     """
 

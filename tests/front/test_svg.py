@@ -117,7 +117,7 @@ class Exact:
         slim ellipse the nearest one may be on the other side, and its own side has other minima too.
         """
         gaps = np.hypot(*(self.samples - np.array(point, dtype=float)).T)
-        best = mpmath.inf
+        best = self.distance_towards_centre(point)
         for _ in range(STARTS):
             nearest = int(gaps.argmin())
             best = min(best, self.distance_from(point, nearest))
@@ -125,6 +125,23 @@ class Exact:
                 break
             gaps[max(nearest - 15, 0) : nearest + 16] = np.inf
         return best
+
+    def distance_towards_centre(self, point):
+        """Return the distance to the point of the ellipse's arc that lies towards its centre, or inf."""
+        if not -1 < self.w < 1:
+            return mpmath.inf
+        square = (1 - self.w) * (1 + self.w)
+        mean = [(x + y) / 2 for x, y in zip(self.p0, self.p2)]
+        p = [(m - self.w * x) / square for m, x in zip(self.m, mean)]
+        q = [c / (2 * mpmath.sqrt(square)) for c in self.c]
+        gap = minus(point, [x - self.w * y for x, y in zip(mean, p)])
+        area = p[0] * q[1] - p[1] * q[0]
+        if area == 0:
+            return mpmath.inf
+        along, across = (gap[0] * q[1] - gap[1] * q[0]) / area, (p[0] * gap[1] - p[1] * gap[0]) / area
+        if abs(mpmath.atan2(across, along)) > mpmath.acos(self.w):
+            return mpmath.inf
+        return abs(1 - 1 / mpmath.hypot(along, across)) * norm(gap)
 
     def distance_from(self, point, i):
         """Return the distance to the arc near its i-th sample: by Gauss–Newton, else by golden section."""
