@@ -91,7 +91,7 @@ rationals = st.fractions(-2, 2, max_denominator=12)
 
 
 @given(st.dictionaries(rationals, st.integers(1, 4), min_size=1, max_size=4))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=20, deadline=None)
 def test_multiple_zeros_at_rationals_are_decided(roots):
     u = sp.prod((X - sp.Rational(r.numerator, r.denominator)) ** m for r, m in roots.items())
     found = points(graph_of(sp.expand(u)), "-2", "2", ("cusp", "inflection"))
@@ -167,7 +167,7 @@ def test_astroid():
     assert_at(found, "sextactic", [k * math.pi / 4 for k in range(9)])
 
 
-@pytest.mark.parametrize("cusps", [2, 4, 5, 7, 9])
+@pytest.mark.parametrize("cusps", [2, 5, 7])
 def test_epicycloids(cusps):
     """Cusps at multiples of 2π/n, of which sine and cosine may have no radicals that sympy knows."""
     n = cusps + 1
@@ -231,7 +231,7 @@ def test_zeros_at_the_ends():
 
 
 @pytest.mark.parametrize(("low", "high"), [("1", "2"), ("1.2", "1.3"), ("1/2", "40")])
-@pytest.mark.parametrize("powers", [(2, 3), (2, 5), (3, 4), (4, 6)])
+@pytest.mark.parametrize("powers", [(2, 3), (2, 5), (4, 6)])
 def test_a_cusp_at_an_irrational_place_is_undecided(low, high, powers):
     text = ", ".join(f"(t^3 - 2)^{n}" for n in powers)
     [point] = points(text, low, high)
