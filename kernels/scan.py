@@ -20,8 +20,9 @@ ROW_SIZE = 12
 GRID, ROWS = 40, 400
 #: (rows for views, stack for intervals): what `workspace` makes
 Space = tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]
-#: neighbouring samples whose tangents differ by more than this (its cosine) get one between them …
-LARGEST_TURN = math.cos(0.35)
+#: neighbouring samples whose tangents differ by more than this angle, or by more than this part of the arc's
+#: whole turning if that can be told from rounding, get one between them …
+LARGEST_TURN, LARGEST_PART, TOLD = 0.35, 0.3, 1e-10
 #: … and so do those at whose feet conic and curve differ by angles further apart (tangent of the angle)
 LARGEST_LEAN = 0.5
 #: intervals are cut in two at most this often, one within the other, and in all between two samples
@@ -50,6 +51,10 @@ def look(
     """
     count = 0
     cosine, sine = 1.0, 0.0  # of the angle from T₀ to the tangent of the last row
+    last_cosine, last_sine = pen[2] * pen[6] + pen[3] * pen[7], pen[13]
+    largest = math.sin(LARGEST_TURN)
+    if last_cosine > 0.0 and last_sine > 0.0:
+        largest = min(largest, max(TOLD, LARGEST_PART * last_sine))
     before = a
     rows, pending = space[0], space[1][:, 0]
     for i in range(1, points + 2):
@@ -58,14 +63,15 @@ def look(
         while open_ends > 0:
             t = pending[open_ends - 1]
             if t == b:
-                cosine_here, sine_here = pen[2] * pen[6] + pen[3] * pen[7], pen[13]
+                cosine_here, sine_here = last_cosine, last_sine
             else:
                 if count == rows.shape[0]:
                     return -1
                 seen = view(pen, source, t)
                 cosine_here, sine_here = seen[5], seen[8]
-            turn = cosine * cosine_here + sine * sine_here
-            if turn < LARGEST_TURN and open_ends < DEPTH:
+            turns = cosine * sine_here - sine * cosine_here  # the sine of the angle
+            beyond = cosine * cosine_here + sine * sine_here < 0.0
+            if (turns > largest or beyond) and open_ends < DEPTH:
                 pending[open_ends] = 0.5 * (before + t)
                 open_ends += 1
                 continue
