@@ -43,7 +43,7 @@ FORMS: Mapping[str, tuple[Form, int]] = {
 #: what else vanishes at such a zero, and may sooner be seen not to
 PARTS: Mapping[str, Form] = {"cusp": lambda jet: (jet.x[1], jet.y[1])}
 #: terms of the Taylor forms
-LENGTH = 6
+LENGTH = 14
 #: Taylor coefficients looked at, in turn, for the multiplicity of a zero
 MULTIPLE = (2, 10, 30, 90)
 #: terms beyond the multiplicity that show a zero to be alone
