@@ -215,13 +215,27 @@ def trigonometric(draw):
     return "+".join(f"({draw(coefficient)})*{draw(names)}({draw(st.integers(1, 3))}*t)" for _ in range(3))
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck))
-@given(
+RANDOM_JOBS = (
     st.one_of(st.tuples(rational(), rational()), st.tuples(trigonometric(), trigonometric())),
     st.sampled_from(["conic", "parabola"]),
     st.integers(1, 7),
 )
+
+
+@settings(max_examples=25, suppress_health_check=list(HealthCheck))
+@given(*RANDOM_JOBS)
 def test_random_curves_against_an_independent_distance(formulas, primitive, exponent):
+    check_random_job(formulas, primitive, exponent)
+
+
+@pytest.mark.slow
+@settings(max_examples=150, suppress_health_check=list(HealthCheck))
+@given(*RANDOM_JOBS)
+def test_many_random_curves(formulas, primitive, exponent):
+    check_random_job(formulas, primitive, exponent)
+
+
+def check_random_job(formulas, primitive, exponent):
     curve = osc.curve(", ".join(formulas), "-0.9", "1.3")
     try:
         spline = osc.approximate(curve, primitive, 10.0**-exponent)
