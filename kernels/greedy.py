@@ -183,11 +183,12 @@ def spline(
             error = measure(pen, q, source, a, b, GRID, space)
             peaks = first_peaks(primitive)
         if 0.0 < stop - b < SHORT * (b - a):
-            b, reason = a + EARLY * (stop - a), ENDS_EARLY
-            end = frame(source, b)
-            _, q = minimax(primitive, source, a, start, b, end, space)
-            pen = pencil(start, end, place[4])
-            error = measure(pen, q, source, a, b, GRID, space)
+            early = a + EARLY * (stop - a)
+            early_end = frame(source, early)
+            early_error, early_q = minimax(primitive, source, a, start, early, early_end, space)
+            if early_error <= high:
+                b, end, q, error, reason = early, early_end, early_q, early_error, ENDS_EARLY
+                pen = pencil(start, end, place[4])
         record(table[count], a, b, q, error, reason, pen)
         if b == stop:
             return count + 1, b, careful
