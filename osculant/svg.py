@@ -26,6 +26,7 @@ from xml.sax.saxutils import escape
 from osculant import __version__
 from osculant.cas.errors import ToleranceError
 from osculant.conversion import Ellipse, cubics, ellipse, parabola_bound
+from osculant.tolerances import writing_reserve
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
     from osculant.pieces import Piece, Point
     from osculant.spline import Spline
 
-RESERVE_SHARE = 2.5e-7  # of the tolerance: what writing may cost
-FLOOR_ULPS = 8  # rounding units of the largest coordinate that writing needs in any case
 LARGEST_RADIUS = 1e4  # of a written ellipse, relative to the piece's size
 LARGEST_AMPLIFICATION = 1e3  # of the rounding of end points; every factor of ten costs all numbers a digit
 LARGEST_HALF_ANGLE = math.acos(0.4)  # of a written arc, eccentric: 66°
@@ -61,22 +60,6 @@ class Command:
     arc: tuple[tuple[float, float], ...] = ()
     sweep: bool = False
     amplification: float = 1.0
-
-
-def writing_reserve(tolerance: float, largest: float) -> float:
-    """Return the share of a tolerance that has to be kept for writing.
-
-    Args:
-        tolerance: the spline's tolerance.
-        largest: the largest absolute coordinate of the spline.
-
-    Returns:
-        The greater of 2.5e-7 of the tolerance and 8 rounding units of the largest coordinate.
-
-    >>> writing_reserve(1e-6, 6.0) == 2.5e-13
-    True
-    """
-    return max(RESERVE_SHARE * tolerance, FLOOR_ULPS * math.ulp(largest))
 
 
 def svg(
@@ -141,7 +124,7 @@ def path_data(pieces: Sequence[Piece], reserve: float) -> tuple[str, int]:
     'M1 0\nA1 1 0 0 1 0 1\nA1 1 0 0 1 -1 0'
     """
     largest = max(abs(side) for piece in pieces for side in piece.bounding_box())
-    least = FLOOR_ULPS / 2 * math.ulp(largest)
+    least = writing_reserve(0.0, largest) / 2
     if not reserve >= least:
         raise ToleranceError(
             f"Coordinates of {largest:.3g} cannot be written to within {reserve!r}; allow at least {least!r}."

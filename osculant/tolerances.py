@@ -43,13 +43,24 @@ def check_floor(tolerance: float, largest: float) -> None:
         )
 
 
+def writing_reserve(tolerance: float, largest: float) -> float:
+    """The share of a tolerance kept for writing the pieces: a quarter of the window, δε/4.
+
+    That is 2.5e-7 of the tolerance, or 8 rounding units of the largest absolute coordinate if they are more.
+
+    >>> writing_reserve(1e-6, 6.0) == 2.5e-13
+    True
+    """
+    return max(WINDOW * tolerance, WINDOW_ULPS * math.ulp(largest)) / 4
+
+
 def window(tolerance: float, largest: float) -> tuple[float, float]:
     """The errors that the search accepts, (low, high), within [ε(1−δ), ε].
 
-    What is left above, δε/4, is for writing the pieces; what is left below for measuring them again.
+    What is left above is the `writing_reserve`; what is left below, half of it, for measuring again.
 
     >>> window(1.0, 1.0)
     (0.999999125, 0.99999975)
     """
-    delta = max(WINDOW, WINDOW_ULPS * math.ulp(largest) / tolerance)
-    return tolerance * (1 - 7 / 8 * delta), tolerance * (1 - delta / 4)
+    reserve = writing_reserve(tolerance, largest)
+    return tolerance - 3.5 * reserve, tolerance - reserve

@@ -17,7 +17,8 @@ from mpmath import mpf
 from osculant.cas.errors import ToleranceError
 from osculant.conversion import cubic_bound, cubics, ellipse, parabola_bound
 from osculant.pieces import Piece, classify
-from osculant.svg import path_data, svg, writing_reserve
+from osculant.svg import path_data, svg
+from osculant.tolerances import writing_reserve
 from tests.front.samples import circle, pieces, spline_of
 
 SVG = "{http://www.w3.org/2000/svg}"
