@@ -17,13 +17,13 @@ from hypothesis import strategies as st
 from osculant.cas import recurrences
 from osculant.cas.balls import ball, precision
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.expression import FUNCTIONS, Node, call, number, power, variable
+from osculant.cas.expression import FUNCTIONS, Node, call, number, power
 from osculant.cas.fields import Balls, ExactNumbers, Multiprecision, Rationals
 from osculant.cas.formula import parse
 from osculant.cas.graph import fold
 from osculant.cas.taylor import program
+from tests.graphs import built, formulas, rationals, t
 
-t = variable("t")
 ORDER = 8
 
 
@@ -168,29 +168,6 @@ def test_against_symbolic_derivatives(name):
 
 
 # Random formulas.
-
-rationals = st.fractions(-5, 5, max_denominator=8)
-leaves = st.one_of(st.just(t), st.just(t), rationals.map(number), st.sampled_from([parse("pi"), parse("e")]))
-exponents = st.one_of(st.integers(-3, 5), st.fractions(-2, 2, max_denominator=3)).map(number)
-
-
-def built(rule, *args):
-    try:
-        return rule(*args)
-    except (DomainError, FormulaError):  # such as log(-1): no formula
-        return t
-
-
-def grown(parts):
-    binary = st.sampled_from([Node.__add__, Node.__sub__, Node.__mul__, Node.__truediv__])
-    return st.one_of(
-        st.builds(built, binary, parts, parts),
-        st.builds(built, st.just(power), parts, exponents),
-        st.builds(built, st.just(call), st.sampled_from(sorted(FUNCTIONS)), parts),
-    )
-
-
-formulas = st.recursive(leaves, grown, max_leaves=8)
 
 
 @given(formulas, rationals)

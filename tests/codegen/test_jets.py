@@ -17,14 +17,14 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.balls import precision
-from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.expression import FUNCTIONS, Node, call, number, power, variable
+from osculant.cas.errors import FormulaError
+from osculant.cas.expression import FUNCTIONS, call, number
 from osculant.cas.fields import Balls, Multiprecision
 from osculant.cas.formula import parse, parse_tuple
 from osculant.cas.taylor import program
 from osculant.codegen.jets import compile_jet
+from tests.graphs import formulas, t
 
-t = variable("t")
 EPSILON = 2.0**-52
 
 
@@ -80,28 +80,7 @@ def test_well_conditioned_curves_lose_few_digits(text):
             assert all(abs(float(x) - y) < 60 * EPSILON * size for x, y in zip(row, got, strict=True))
 
 
-rationals = st.fractions(-5, 5, max_denominator=8)
-leaves = st.one_of(st.just(t), rationals.map(number), st.sampled_from([parse("pi"), parse("e")]))
-exponents = st.one_of(st.integers(-3, 5), st.fractions(-2, 2, max_denominator=3)).map(number)
-
-
-def built(rule, *args):
-    try:
-        return rule(*args)
-    except (DomainError, FormulaError):  # such as log(-1): no formula
-        return t
-
-
-def grown(parts):
-    binary = st.sampled_from([Node.__add__, Node.__sub__, Node.__mul__, Node.__truediv__])
-    return st.one_of(
-        st.builds(built, binary, parts, parts),
-        st.builds(built, st.just(power), parts, exponents),
-        st.builds(built, st.just(call), st.sampled_from(sorted(FUNCTIONS)), parts),
-    )
-
-
-@given(st.recursive(leaves, grown, max_leaves=8), st.floats(-4, 4))
+@given(formulas, st.floats(-4, 4))
 @settings(max_examples=80, deadline=None)
 def test_random_formulas(node, at):
     with precision(53):
