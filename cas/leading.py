@@ -13,24 +13,21 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import arb, fmpq, fmpq_poly, fmpq_series
+from flint import arb, fmpq, fmpq_poly
+
+from osculant.cas.canonical import affine_graph
 
 
 @cache
 def canonical_coefficients() -> tuple[Fraction, Fraction]:
-    """The factors of k in x⁴ and of dk/dr in x⁵ of the canonical form, by reversion of x(r).
+    """The factors of k in x⁴ and of dk/dr in x⁵ of the affine canonical form.
 
     >>> canonical_coefficients()
     (Fraction(1, 8), Fraction(1, 40))
     """
-    found = []
-    for k, slope, power in ((1, 0, 4), (0, 1, 5)):
-        # α‴ = −kα′, so α⁽⁴⁾ = −k′t − kn and α⁽⁵⁾ = … − 2k′n: the components along t and n (2.11)
-        along: list[Any] = [0, 1, 0, fmpq(-k, 6), fmpq(-slope, 24)]
-        across: list[Any] = [0, 0, fmpq(1, 2), 0, fmpq(-k, 24), fmpq(-2 * slope, 120)]
-        graph = fmpq_series(across)(fmpq_series(along).reversion())
-        found.append(Fraction(int(graph[power].p), int(graph[power].q)))
-    return found[0], found[1]
+    y, (k, slope, *_) = affine_graph(5)
+    # both quotients are exact; what is left must be constant, or it does not read as a fraction
+    return Fraction(str(y[4] / k)), Fraction(str(y[5] / slope))
 
 
 def error_constant(primitive: str) -> Any:

@@ -79,7 +79,7 @@ class PowerSeries:
         return PowerSeries([a - b for a, b in zip(*self._with(other))])
 
     def __rsub__(self, other: Any) -> PowerSeries:
-        return -self + other
+        return PowerSeries([b - a for a, b in zip(*self._with(other))])
 
     def __mul__(self, other: Any) -> PowerSeries:
         if not isinstance(other, PowerSeries):
@@ -92,10 +92,12 @@ class PowerSeries:
     __rmul__ = __mul__
 
     def __pow__(self, exponent: int) -> PowerSeries:
-        """The power with a non-negative integer exponent."""
-        result = self.cut(self.length) * 0 + 1
-        for _ in range(exponent):
-            result = result * self
+        """The power with an integer exponent; a negative one needs a reciprocal."""
+        base = self if exponent >= 0 else self.reciprocal()
+        zero = self.coefficients[0] * 0
+        result = PowerSeries([zero + 1, *(zero,) * (self.length - 1)])
+        for _ in range(abs(exponent)):
+            result = result * base
         return result
 
     def reciprocal(self) -> PowerSeries:
@@ -110,10 +112,11 @@ class PowerSeries:
     def __truediv__(self, other: Any) -> PowerSeries:
         if isinstance(other, PowerSeries):
             return self * other.reciprocal()
-        return self * _reciprocal(other, "Division by")
+        unit = _reciprocal(other, "Division by")
+        return PowerSeries([a * unit for a in self.coefficients])
 
     def __rtruediv__(self, other: Any) -> PowerSeries:
-        return self.reciprocal() * other
+        return PowerSeries([a * other for a in self.reciprocal().coefficients])
 
     def cut(self, length: int) -> PowerSeries:
         """The same series with at most that many coefficients."""
@@ -127,7 +130,7 @@ class PowerSeries:
         """
         if power >= 0:
             return PowerSeries([self.coefficients[0] * 0] * power + list(self.coefficients))
-        if any(c != 0 for c in self.coefficients[:-power]) or self.length <= -power:
+        if not all(_is_zero(c) for c in self.coefficients[:-power]) or self.length <= -power:
             raise DomainError(f"The series is not divisible by its variable to the power {-power}: {self}.")
         return PowerSeries(self.coefficients[-power:])
 
@@ -145,6 +148,8 @@ class PowerSeries:
 
     def derivative(self) -> PowerSeries:
         """d/dx, one coefficient shorter; raises DomainError for a single coefficient."""
+        if self.length == 1:
+            raise DomainError("The derivative of a series of length 1 has no coefficient that is known.")
         return PowerSeries([c * n for n, c in enumerate(self.coefficients)][1:])
 
     def integral(self) -> PowerSeries:
@@ -158,25 +163,34 @@ class PowerSeries:
         >>> PowerSeries([1, 1, 1]).at(PowerSeries([0, 2, 1]))
         PowerSeries([1, 2, 5])
         """
-        if inner.coefficients[0] != 0:
+        if not _is_zero(inner.coefficients[0]):
             raise DomainError(
                 f"A series is composed with one without constant coefficient, not with {inner}."
             )
         length = min(self.length, inner.length)
-        result = inner.cut(length) * 0 + self.coefficients[length - 1]
+        result: PowerSeries = inner.cut(length) * 0 + self.coefficients[length - 1]
         for c in reversed(self.coefficients[: length - 1]):
             result = result * inner.cut(length) + c
         return result
 
     def reversion(self) -> PowerSeries:
-        """The series g with self(g(x)) = x.
+        """The series g with self(g(x)) = x, by Lagrange's formula n·gₙ = [xⁿ⁻¹] (x/self)ⁿ.
 
-        Raises DomainError unless c₀ = 0 and c₁ has a reciprocal in the ring.
+        Raises DomainError unless c₀ = 0 and c₁ is known and has a reciprocal in the ring.
+
+        >>> PowerSeries([0, 2, 1]).reversion()
+        PowerSeries([0, 1/2, -1/8])
         """
-        if self.coefficients[0] != 0:
+        if not _is_zero(self.coefficients[0]):
             raise DomainError(f"Only a series without constant coefficient has a reversion, not {self}.")
-        slope = self[1]
-        return solve(lambda g: self.at(g) - identity(self.length, slope * 0), slope, self.length)
+        _reciprocal(self[1], "Reversion of a series whose coefficient of x is")
+        quotient = self.shifted(-1).reciprocal()  # x/self
+        found, powers = [quotient[0] * 0], quotient
+        for n in range(1, self.length):
+            c = powers[n - 1]
+            found.append(c * ratio(1, n, c))
+            powers = powers * quotient
+        return PowerSeries(found)
 
 
 def identity(length: int, zero: Any = Fraction(0)) -> PowerSeries:
@@ -261,9 +275,15 @@ def ratio(numerator: int, denominator: int, like: Any) -> Any:
     return Fraction(numerator, denominator)
 
 
+def _is_zero(value: Any) -> bool:
+    return bool(value == 0)  # for a ball: is exactly 0, whereas `!=` asks whether it excludes 0
+
+
 def _reciprocal(value: Any, what: str) -> Any:
-    if value == 0:
+    if _is_zero(value):
         raise DomainError(f"{what} 0 is singular: no series solves it.")
+    if type(value).__name__ in {"arb", "acb"} and value.contains(0):
+        raise DomainError(f"{what} {value} may be 0: no series is certain to solve it, raise the precision.")
     try:
         return ratio(1, 1, value) / value
     except (ArithmeticError, ValueError, TypeError, NoQuotient) as error:

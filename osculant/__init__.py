@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from osculant.cas.errors import DomainError, FormulaError, OsculantError, ToleranceError, UndecidedError
     from osculant.plane import PlaneCurve
     from osculant.spline import Piece, Spline
+    from osculant.verification import Verification, verify
 
 __version__ = "0.1.0"
 
@@ -32,9 +33,11 @@ __all__ = [
     "Spline",
     "ToleranceError",
     "UndecidedError",
+    "Verification",
     "approximate",
     "complexity",
     "curve",
+    "verify",
 ]
 
 # No module here may bear the name of one of these: importing it would put the module in the name's place.
@@ -46,6 +49,8 @@ _HOME = {
     "Complexity": "osculant.asymptotics",
     "Spline": "osculant.spline",
     "Piece": "osculant.spline",
+    "verify": "osculant.verification",
+    "Verification": "osculant.verification",
     "OsculantError": "osculant.cas.errors",
     "FormulaError": "osculant.cas.errors",
     "DomainError": "osculant.cas.errors",

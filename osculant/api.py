@@ -100,12 +100,18 @@ def approximate(
 
 
 def complexity(
-    curve: PlaneCurve, primitive: str = "conic", *, metric: str = "hausdorff", split_at: Sequence[Any] = ()
+    curve: PlaneCurve,
+    primitive: str = "conic",
+    *,
+    metric: str = "hausdorff",
+    split_at: Sequence[Any] = (),
+    next_term: bool = False,
 ) -> Complexity:
     """How many pieces theory predicts: leading constant, order, and ``count(tolerance)``.
 
-    Formulas (3.17) and (3.18), integrated over every stretch between special points.  Arguments and
-    errors as for `approximate`.
+    Formulas (3.17) and (3.18), integrated over every stretch between special points; with ``next_term`` also
+    the second term's c₁, ``next_constant`` (open in section 3.8; it takes seconds, and the curve may have no
+    special point: DomainError).  Other arguments and errors as for `approximate`.
 
     >>> law = complexity(curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic")
     >>> law.constants, law.order, law.count(1e-8)
@@ -114,7 +120,7 @@ def complexity(
     _check_choices(primitive, metric)
     check_finite(curve)
     division = divide(curve, primitive, split_at)
-    return complexity_of(curve, primitive, division, (1,) * len(division.stretches))
+    return complexity_of(curve, primitive, division, (1,) * len(division.stretches), next_term)
 
 
 class _Prediction:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
+import typer
 from typer.core import TyperCommand, TyperGroup
 
 from osculant.cas.errors import OsculantError
@@ -21,6 +23,9 @@ _MINUS = re.compile(r"-(t|pi|e)")
 
 #: the suffixes that `Spline.write` knows
 SUFFIXES = (".svg", ".json")
+
+
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
 
 
 class UsageError(OsculantError):
@@ -117,7 +122,8 @@ class FormulaCommand(TyperCommand):
         flags = [option for option in options if getattr(option, "is_flag", False)]
         valued = [option for option in options if option not in flags]
         repeated = [option for option in valued if getattr(option, "multiple", False)]
-        places = len(self.get_params(ctx)) - len(options)
+        rest = [parameter for parameter in self.get_params(ctx) if parameter not in options]
+        places = sys.maxsize if any(parameter.nargs < 0 for parameter in rest) else len(rest)
         arranged = arrange(args, _names(valued), _names(flags), _names(repeated), places)
         return super().parse_args(ctx, arranged)
 
@@ -177,7 +183,7 @@ def check_files(write: Sequence[str], plot: str | None) -> None:
                 f"Cannot write {printable(file) or 'a file without a name'}: the known suffixes are "
                 f"{' and '.join(SUFFIXES)}; --plot makes pictures of other kinds."
             )
-        _check_place(file)
+        check_place(file)
     if plot is not None:
         try:
             from matplotlib.backend_bases import FigureCanvasBase
@@ -191,10 +197,11 @@ def check_files(write: Sequence[str], plot: str | None) -> None:
                 f"Cannot draw {printable(plot) or 'a file without a name'}: the known suffixes are "
                 f".{', .'.join(kinds)}."
             )
-        _check_place(plot)
+        check_place(plot)
 
 
-def _check_place(file: str) -> None:
+def check_place(file: str) -> None:
+    """Refuse a file that could not be written where it is to be; raises OsculantError, touches nothing."""
     target = Path(os.path.realpath(file))
     folder = target.parent
     if os.path.isdir(target):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -21,11 +22,11 @@ ROUNDING = 1e-12
 
 @dataclass(frozen=True)
 class Complexity:
-    """N(ε) = C ε^{−1/order} + …, with C summed over the stretches between split points.
+    """N(ε) = C ε^{−1/order} + c₁ ε^{1/order} + …, C and c₁ summed over the stretches between split points.
 
     ``constants`` are the C of the stretches to ``digits`` digits (estimates by quadrature that
     converges doubly exponentially); a stretch whose curve is the primitive itself has C = 0 and takes
-    ``least`` pieces.
+    ``least`` pieces.  ``next_constants`` are the c₁ of the stretches, estimates too, if they were asked for.
 
     >>> law = Complexity("conic", "hausdorff", 5, ("1.5", "0"), (1, 2), 15)
     >>> law.constant, round(law.predicted(1e-5), 9), law.predicted_pieces(1e-5)
@@ -38,6 +39,7 @@ class Complexity:
     constants: tuple[str, ...]
     least: tuple[int, ...]
     digits: int
+    next_constants: tuple[str, ...] | None = None
 
     @property
     def constant(self) -> float:
@@ -47,6 +49,19 @@ class Complexity:
     def predicted(self, tolerance: float) -> float:
         """The real number C ε^{−1/order}; raises ToleranceError unless ε is positive and finite."""
         return float(self.constant * checked_tolerance(tolerance) ** (-1.0 / self.order))
+
+    @property
+    def next_constant(self) -> float | None:
+        """c₁ of the whole curve, None if it was not asked for."""
+        if self.next_constants is None:
+            return None
+        return math.fsum(float(c) for c in self.next_constants)
+
+    def refined(self, tolerance: float) -> float | None:
+        """C ε^{−1/order} + c₁ ε^{1/order}, None without c₁."""
+        if self.next_constant is None:
+            return None
+        return self.predicted(tolerance) + self.next_constant * float(tolerance ** (1.0 / self.order))
 
     def predicted_pieces(self, tolerance: float) -> int:
         """The whole number: rounded up on every stretch, at least what the stretch needs."""
@@ -59,28 +74,40 @@ class Complexity:
     count = predicted_pieces
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data: primitive, metric, order, constant (text, all digits), constants of the stretches."""
-        from decimal import Decimal
+        """Plain data: primitive, metric, order, constant (text, all digits), constants of the stretches.
 
-        return {
+        With c₁ also "next_constant" and "next_constants".
+        """
+
+        def total(constants: tuple[str, ...]) -> str:
+            from decimal import Decimal
+
+            return str(sum((Decimal(c) for c in constants), Decimal(0)))
+
+        data: dict[str, Any] = {
             "primitive": self.primitive,
             "metric": self.metric,
             "order": self.order,
-            "constant": str(sum((Decimal(c) for c in self.constants), Decimal(0))),
+            "constant": total(self.constants),
             "constants": list(self.constants),
         }
+        if self.next_constants is not None:
+            data["next_constant"] = total(self.next_constants)
+            data["next_constants"] = list(self.next_constants)
+        return data
 
 
-#: digits of a constant by itself, and of one that only predicts a spline's number of pieces
-DIGITS, DIGITS_FOR_SPLINES = 20, 9
+#: digits of a constant by itself, of c₁, and of one that only predicts a spline's number of pieces
+DIGITS, DIGITS_OF_NEXT, DIGITS_FOR_SPLINES = 20, 12, 9
 
 
 def complexity_of(
-    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...]
+    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...], next_term: bool = False
 ) -> Complexity:
     """The complexity of a divided curve; ``least`` pieces are needed on each stretch in any case.
 
-    Integrated in ball arithmetic; raises UndecidedError if that does not settle.
+    Integrated in ball arithmetic; raises UndecidedError if that does not settle, and DomainError if c₁ is
+    asked for and its integral diverges at a special point.
     """
     from osculant.cas.complexity import complexity_constant
 
@@ -91,7 +118,19 @@ def complexity_of(
             continue
         value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high)
         constants.append(value.str(DIGITS, radius=False))
-    return Complexity(primitive, "hausdorff", ORDERS[primitive], tuple(constants), least, DIGITS)
+    following = tuple(_next_constants(curve, primitive, division)) if next_term else None
+    return Complexity(primitive, "hausdorff", ORDERS[primitive], tuple(constants), least, DIGITS, following)
+
+
+def _next_constants(curve: PlaneCurve, primitive: str, division: Division) -> Iterator[str]:
+    from osculant.cas.asymptotics.next_term import next_constant
+
+    for stretch in division.stretches:
+        if stretch.kind != "generic":
+            yield "0"
+        else:
+            value, _ = next_constant(curve.balls, primitive, stretch.low, stretch.high)
+            yield value.str(DIGITS_OF_NEXT, radius=False)
 
 
 def quick_complexity(

@@ -1,7 +1,7 @@
 """The command line: one thin command for each public function.
 
 Exit statuses: 0; 2 for anything that the user can put right, told in one sentence; 130 after Ctrl-C; 141 if
-the reader of the output went away; 1 for a defect of osculant.
+the reader of the output went away; 1 for a claim that fails and for a defect of osculant.
 """
 
 from __future__ import annotations
@@ -17,8 +17,17 @@ from typing import Annotated
 import typer
 
 from osculant import __version__
-from osculant.arguments import Commands, FormulaCommand, UsageError, both_ends, check_files, whole_number
+from osculant.arguments import (
+    AsJson,
+    Commands,
+    FormulaCommand,
+    UsageError,
+    both_ends,
+    check_files,
+    whole_number,
+)
 from osculant.cas.errors import OsculantError
+from osculant.cli_verify import verify
 from osculant.report import (
     Waiting,
     invariants_data,
@@ -56,7 +65,6 @@ SplitAt = Annotated[
     list[str] | None,
     typer.Option("--split-at", metavar="T", help="A parameter that shall be a knot; repeatable."),
 ]
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
 
 
 def _version(wanted: bool) -> None:
@@ -170,6 +178,9 @@ def complexity(
         str | None, typer.Option("--tolerance", metavar="E", help="Predict the pieces for this tolerance.")
     ] = None,
     split_at: SplitAt = None,
+    next_term: Annotated[
+        bool, typer.Option("--next-term", help="Also c1 of the second term, C*E^(-1/p) + c1*E^(1/p).")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Print how many pieces theory predicts, and its leading constant."""
@@ -180,7 +191,7 @@ def complexity(
 
     allowed = None if tolerance is None else checked_tolerance(tolerance)
     curve = osculant.curve(formula, low, high)
-    law = osculant.complexity(curve, primitive, split_at=split_at or ())
+    law = osculant.complexity(curve, primitive, split_at=split_at or (), next_term=next_term)
     if not as_json:
         print_complexity(curve, law, allowed)
         return
@@ -191,6 +202,8 @@ def complexity(
             "predicted": law.predicted(allowed),
             "predicted_pieces": law.predicted_pieces(allowed),
         }
+        if next_term:
+            data["refined"] = law.refined(allowed)
     print_json(data)
 
 
@@ -210,6 +223,9 @@ def tables(
         print_json(table.to_json())
     else:
         print_table(table)
+
+
+app.command(cls=FormulaCommand)(verify)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -116,10 +116,13 @@ def print_complexity(curve: PlaneCurve, law: Complexity, tolerance: float | None
     ]
     if len(law.constants) > 1:
         rows += [(f"  stretch {place}", value) for place, value in enumerate(law.constants, 1)]
+    if law.next_constant is not None:
+        rows += [("next term", f"c1*tolerance^(1/{law.order})"), ("c1", f"{law.next_constant:.12g}")]
     if tolerance is not None:
         rows += [
             ("tolerance", f"{tolerance:g}"),
             ("predicted", f"{law.predicted(tolerance):.10g}"),
+            *([("both terms", f"{law.refined(tolerance):.10g}")] if law.next_constant is not None else []),
             ("whole pieces", str(law.predicted_pieces(tolerance))),
         ]
     _print_rows(rows)

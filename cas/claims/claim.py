@@ -7,11 +7,13 @@ made wrong on purpose (they must fail too): so no claim is one that cannot fail.
 
 from __future__ import annotations
 
+import inspect
 import re
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from importlib import import_module
 from typing import Any
 
 from osculant.cas.errors import DomainError, UndecidedError
@@ -90,15 +92,35 @@ class Claim:
     @property
     def chapter(self) -> str:
         """The chapter or appendix: the first number or letter after the kind of statement."""
-        found = re.search(r"(\d|[A-Z](?=\.))", self.name.removeprefix("R").removeprefix("X"))
+        found = re.search(r"\d+|[A-Z](?=\.)", self.name)
         return found.group(0) if found else ""
 
     @property
     def derivation(self) -> str:
         """The docstring of the check."""
-        import inspect
-
         return inspect.getdoc(self.check) or ""
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data: what is known before the check is run."""
+        return {
+            "id": self.name,
+            "chapter": self.chapter,
+            "statement": self.statement,
+            "method": str(self.method),
+            "reason": self.reason or None,
+            "form": self.form,
+            "printed": self.printed,
+            "corrected": self.form if self.printed is not None else None,
+            "erratum": self.erratum or None,
+            "wrong": list(self.wrong),
+            "open": self.open,
+            "slow": self.slow,
+            "derivation": self.derivation,
+        }
+
+    def __reduce__(self) -> tuple[Callable[[str, str], Claim], tuple[str, str]]:
+        """Travel to another process by name: the check is found there again."""
+        return _recalled, (self.check.__module__, self.name)
 
 
 @dataclass(frozen=True)
@@ -112,18 +134,13 @@ class Judgement:
     seconds: float
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data: id, chapter, statement, verdict, method, reason, printed, corrected, certificate, …"""
-        claim = self.claim
+        """Plain data: that of the claim, and verdict, certificate, against_printed, seconds."""
+        against = self.against_printed
         return {
-            "id": claim.name,
-            "chapter": claim.chapter,
-            "statement": claim.statement,
+            **self.claim.to_json(),
             "verdict": str(self.verdict),
-            "method": str(claim.method),
-            "reason": claim.reason or None,
-            "printed": claim.printed,
-            "corrected": claim.form if claim.printed is not None else None,
             "certificate": list(self.evidence.certificate),
+            "against_printed": None if against is None else list(against.certificate),
             "seconds": round(self.seconds, 3),
         }
 
@@ -131,7 +148,8 @@ class Judgement:
 def judge(claim: Claim) -> Judgement:
     """Run a claim's check on the form claimed and, for an erratum, on the printed form, which must fail.
 
-    A check that gives up (UndecidedError) leaves its claim open.
+    A check that gives up (UndecidedError) leaves its claim open; one that breaks down fails it, and the
+    certificate names the exception.
 
     >>> five = Claim("(0.1)", "2 + 3 = 5", Method.EXACT, lambda form: Evidence(int(form) == 2 + 3), "5", "6")
     >>> judge(five).verdict
@@ -145,7 +163,10 @@ def judge(claim: Claim) -> Judgement:
             against_printed = claim.check(claim.printed)
         verdict = _verdict(claim, evidence, against_printed)
     except UndecidedError as gave_up:
-        evidence, verdict = Evidence(False, (str(gave_up),)), Verdict.OPEN
+        evidence, verdict = Evidence(False, (f"undecided: {gave_up}",)), Verdict.OPEN
+    except Exception as broken:
+        evidence = Evidence(False, (f"the check broke down with {type(broken).__name__}: {broken}",))
+        verdict = Verdict.FAILS
     return Judgement(claim, verdict, evidence, against_printed, time.perf_counter() - start)
 
 
@@ -183,7 +204,8 @@ def claim(
 
     def register(check: Check) -> Check:
         if name in _REGISTRY:
-            raise DomainError(f"Claim {name!r} is registered twice: rename one.")
+            places = f"{_REGISTRY[name].check.__module__} and {check.__module__}"
+            raise DomainError(f"Claim {name!r} is registered twice, in {places}: rename one.")
         _REGISTRY[name] = Claim(
             name, statement, method, check, form, printed, tuple(wrong), reason, erratum, open, slow
         )
@@ -195,3 +217,12 @@ def claim(
 def registered() -> dict[str, Claim]:
     """The claims of the modules imported so far, by name."""
     return dict(_REGISTRY)
+
+
+def _recalled(module: str, name: str) -> Claim:
+    """A registered claim by name, its module imported if need be."""
+    if name not in _REGISTRY:
+        import_module(module)
+    if name not in _REGISTRY:  # the check was made in another module than the one that registers it
+        import_module("osculant.cas.claims").all_claims()
+    return _REGISTRY[name]

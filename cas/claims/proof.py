@@ -41,7 +41,9 @@ def vanishes(expression: Any, what: str, relations: Sequence[tuple[Any, Any]] = 
     """Proof that an expression is 0 for all values of its symbols, or a point where it is not.
 
     Args:
-        expression: a sympy expression; symbols declared positive are tried at positive values only.
+        expression: a sympy expression; symbols declared positive (integer) are tried at positive (integer)
+            values only.  Functions without a definition and their derivatives, f(t), f'(t), …, are taken
+            for independent symbols: that is what an identity for all functions means.
         what: what the expression is the difference of, for the certificate.
         relations: pairs (polynomial, symbol): the polynomial is 0, and is divided out as one in the symbol.
             Relations make the free trial points invalid, so then only the division decides.
@@ -54,7 +56,7 @@ def vanishes(expression: Any, what: str, relations: Sequence[tuple[Any, Any]] = 
     >>> bool(vanishes(a - b, "a = b"))
     False
     """
-    expression = sp.sympify(expression)
+    expression = _without_functions(sp.sympify(expression))
     if not relations:
         refuted = _counterexample(expression)
         if refuted is not None:
@@ -68,16 +70,32 @@ def vanishes(expression: Any, what: str, relations: Sequence[tuple[Any, Any]] = 
     raise UndecidedError(f"{what}: both sides agree at random points, but no proof was found.")
 
 
+def _without_functions(expression: Any) -> Any:
+    """The expression with f(t) and its derivatives for undefined functions f as symbols of that name."""
+    expression = expression.doit() if expression.has(sp.Derivative) else expression
+    unknown = expression.atoms(sp.core.function.AppliedUndef)
+    jets = [d for d in expression.atoms(sp.Derivative) if d.expr in unknown]
+    return expression.xreplace(
+        {jet: sp.Symbol(str(jet), positive=jet.is_positive) for jet in (*jets, *unknown)}
+    )
+
+
 def _counterexample(expression: Any) -> tuple[dict[Any, Any], Any] | None:
+    """A point where the expression has a value and that is not 0; points without a value do not count."""
     source = random.Random(20100)
     symbols = sorted(expression.free_symbols, key=str)
     for _ in range(TRIALS):
-        signs = [1 if s.is_positive else source.choice((1, -1)) for s in symbols]
-        point = {s: g * sp.Rational(source.randint(20, 90), 71) for s, g in zip(symbols, signs)}
+        point = {symbol: _sample(symbol, source) for symbol in symbols}
         value = sp.N(expression, DIGITS, subs=point)
-        if not value.is_number or value is sp.nan or abs(value) > sp.Float(10) ** -VANISHING:
+        if value.is_number and value.is_finite and abs(value) > sp.Float(10) ** -VANISHING:
             return point, value
     return None
+
+
+def _sample(symbol: Any, source: random.Random) -> Any:
+    sign = 1 if symbol.is_positive or symbol.is_nonnegative else source.choice((1, -1))
+    size = source.randint(20, 90)
+    return sp.Integer(sign * size) if symbol.is_integer else sp.Rational(sign * size, 71)
 
 
 def _is_zero(expression: Any, relations: Sequence[tuple[Any, Any]]) -> bool:
@@ -92,18 +110,21 @@ def _is_zero(expression: Any, relations: Sequence[tuple[Any, Any]]) -> bool:
 def agrees(value: Any, expected: Any, digits: float, what: str) -> Evidence:
     """Whether two numbers agree to a relative 10^−digits; the expected one is not 0.
 
+    The comparison carries 15 digits more than are wanted; a float has no more than its own 16.
+
     >>> agrees(3.14159, 22 / 7, 3, "pi").certificate
     ('pi: 3.14159 against 3.14285714286, relative difference 4.0e-4 (wanted 1e-3)',)
     """
     import mpmath as mp
 
-    value, expected = mp.mpf(value), mp.mpf(expected)
-    difference = abs(value / expected - 1)
-    line = (
-        f"{what}: {mp.nstr(value, 12)} against {mp.nstr(expected, 12)}, relative difference "
-        f"{_power_of_ten(difference)} (wanted 1e-{digits:g})"
-    )
-    return Evidence(bool(difference <= mp.mpf(10) ** -digits), (line,))
+    with mp.workdps(max(15, int(digits)) + 15):
+        value, expected = mp.mpf(value), mp.mpf(expected)
+        difference = abs(value / expected - 1)
+        line = (
+            f"{what}: {mp.nstr(value, 12)} against {mp.nstr(expected, 12)}, relative difference "
+            f"{_power_of_ten(difference)} (wanted 1e-{digits:g})"
+        )
+        return Evidence(bool(difference <= mp.mpf(10) ** -digits), (line,))
 
 
 def _power_of_ten(x: Any) -> str:

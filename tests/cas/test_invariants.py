@@ -12,6 +12,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
+from osculant.cas.canonical import affine_graph
 from osculant.cas.derivations import affine
 from osculant.cas.derivations.jets import bracket, derivative, equal, phi, v, x, y
 from osculant.cas.invariants import INVARIANTS, PlaneJet, invariants_at, real_root
@@ -28,14 +29,6 @@ def test_the_affine_parameter_is_unimodular():
     assert equal(bracket(first, third), 0)
     for i in range(2):
         assert equal(third[i], -affine.affine_curvature() * first[i])  # (2.5)
-
-
-def test_derivatives_in_the_frame():
-    r, (k, slope, bend) = affine.r, affine.k[:3]
-    first, second = affine.arc_in_frame(5)  # (2.11), divided by factorials
-    assert sp.expand(first - (r - k * r**3 / 6 - slope * r**4 / 24 + (k**2 - bend) * r**5 / 120)) == 0
-    assert sp.expand(second - (r**2 / 2 - k * r**4 / 24 - 2 * slope * r**5 / 120)) == 0
-    assert first.coeff(r, 5) != 0  # so the remainder printed in Lemma 2.2.2 should be O(r^5)
 
 
 def test_affine_frame_and_curvature():
@@ -102,12 +95,10 @@ def test_rates_are_derivatives():
 
 
 def test_canonical_form():
-    series = affine.canonical_form()
-    k, z = affine.k, affine.z
-    jet = SimpleNamespace(affine_curvature=k[0], affine_curvature_slope=k[1])
-    fourth, fifth = PlaneJet.canonical_form.func(jet)
-    assert sp.expand(series - (z**2 / 2 + fourth * z**4 + fifth * z**5)) == 0
-    assert series.coeff(z, 4) != k[0] / 24
+    series, (k, slope, *_) = affine_graph(5)
+    jet = SimpleNamespace(affine_curvature=k, affine_curvature_slope=slope)
+    assert PlaneJet.canonical_form.func(jet) == (series[4], series[5])
+    assert series[4] != k / 24
 
 
 def test_canonical_form_of_the_frame_of_a_graph():

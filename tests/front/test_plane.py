@@ -125,3 +125,17 @@ def test_complexity_refuses_a_bad_tolerance():
     for tolerance in (0, -1, math.inf):
         with pytest.raises(osc.ToleranceError, match="positive"):
             law.predicted(tolerance)
+
+
+def test_the_next_term_of_the_number_of_pieces():
+    spiral = osc.curve("t*cos(t), t*sin(t)", "pi/6", "2*pi")
+    law = osc.complexity(spiral, "conic", next_term=True)
+    assert law.next_constants == ("0.446788453234",)
+    # fractional greedy counts measured with 30 digits
+    for tolerance, measured in ((1e-9, 80.113), (1e-10, 126.963), (1e-11, 201.219), (1e-12, 318.908)):
+        assert abs(law.refined(tolerance) - measured) < 1e-3
+    plain = osc.complexity(spiral, "conic")
+    assert plain.next_constant is None and plain.refined(1e-9) is None
+    assert "next_constant" not in plain.to_json() and law.to_json()["next_constant"] == "0.446788453234"
+    with pytest.raises(osc.DomainError, match="sextactic"):
+        osc.complexity(osc.curve("t, t^4 + t^2", "-1", "1"), "conic", next_term=True)

@@ -1,0 +1,1 @@
+"""Errors of short arcs, numbers of pieces and their next terms, derived from the contact conditions."""

@@ -1,0 +1,146 @@
+"""True biarcs of plane data in complex numbers of mpmath: the junction circle, its family, and displacements.
+
+Points and unit tangents are complex; a circular arc from p with tangent T to q ends with the tangent
+conj(T)d/conj(d), d = q − p. For data (p_L, T_L), (p_R, T_R) with ρ = T_R/T_L the junctions lie on the circle
+about (p_R − ρp_L)/(1 − ρ) through p_L and p_R, or on the line through them if ρ = 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath as mp
+
+from osculant.cas.errors import DomainError
+
+#: a parameter to the curve's point and unit tangent there, complex
+Curve = Callable[[Any], tuple[Any, Any]]
+#: halvings when the parameter of the best member is located
+HALVINGS = 140
+
+
+@dataclass(frozen=True)
+class Biarc:
+    """Two arcs: ``start`` with tangent ``heading``, ``junction`` with tangent ``direction``, ``end``."""
+
+    start: Any
+    heading: Any
+    junction: Any
+    direction: Any
+    end: Any
+
+    @property
+    def curvatures(self) -> tuple[Any, Any]:
+        """Signed curvatures 2[T, d]/|d|² of the arcs with chord d."""
+        return (
+            _curvature(self.start, self.heading, self.junction),
+            _curvature(self.junction, self.direction, self.end),
+        )
+
+    def displacement(self, point: Any, tangent: Any) -> Any:
+        """The biarc's signed distance from the point along the normal, which is left of the tangent.
+
+        Raises DomainError if the normal misses both circles.
+        """
+        found = []
+        for first, curvature in zip((True, False), self.curvatures, strict=True):
+            base, T = (self.start, self.heading) if first else (self.junction, self.direction)
+            d = _to_circle(base, T, curvature, point, tangent)
+            if d is None:
+                continue
+            ahead = mp.re(mp.conj(self.direction) * (point + 1j * tangent * d - self.junction))
+            found.append((abs(d), first == (ahead <= 0), d))
+        fitting = [entry for entry in found if entry[1]] or found
+        if not fitting:
+            raise DomainError(f"The normal at {mp.nstr(point, 6)} misses the biarc: the arc is too long.")
+        return min(fitting)[2]
+
+
+def junction_circle(start: Any, heading: Any, end: Any, arrival: Any) -> Any:
+    """The centre of the circle of junctions.
+
+    Raises DomainError if the tangents are equal: then it is a line.
+
+    >>> mp.nstr(junction_circle(mp.mpc(0), mp.mpc(0, -1), mp.mpc(1), mp.mpc(0, 1)), 5)
+    '(0.5 + 0.0j)'
+    """
+    ratio = arrival / heading
+    if ratio == 1:
+        raise DomainError("The tangents are equal, so the junctions lie on the chord's line: no centre.")
+    return (end - ratio * start) / (1 - ratio)
+
+
+def member(start: Any, heading: Any, end: Any, turning: Any, mu: Any) -> Biarc:
+    """The biarc of the family with parameter μ in (0, 1).
+
+    Args:
+        start: the first point.
+        heading: the unit tangent there.
+        end: the last point; the tangent there is heading·exp(i·turning).
+        turning: the true signed turning ω of the curve, 0 < |ω| < 2π.
+        mu: where on the junction circle: the junction turned by μω about its centre.
+
+    Raises DomainError for a μ or a turning out of range.
+
+    >>> both = member(mp.mpc(0), mp.expj(-0.4), mp.mpc(1), mp.mpf(1), mp.mpf(0.5))
+    >>> mp.nstr(both.curvatures[0] < both.curvatures[1], 5)
+    'True'
+    """
+    if not 0 < mu < 1 or not 0 < abs(turning) < 2 * mp.pi:
+        raise DomainError(
+            f"No biarc belongs to μ = {mp.nstr(mu, 6)} and turning {mp.nstr(turning, 6)}: "
+            "0 < μ < 1 and 0 < |ω| < 2π are needed."
+        )
+    centre = junction_circle(start, heading, end, heading * mp.expj(turning))
+    junction = centre + (start - centre) * mp.expj(mu * turning)
+    d = junction - start
+    return Biarc(start, heading, junction, mp.conj(heading) * d / mp.conj(d), end)
+
+
+def extremes(biarc: Biarc, curve: Curve, parameters: Sequence[Any]) -> tuple[Any, Any]:
+    """(max, min) of the displacement at the parameters."""
+    values = [biarc.displacement(*curve(t)) for t in parameters]
+    return max(values), min(values)
+
+
+def equioscillating(
+    family: Callable[[Any], Biarc], curve: Curve, parameters: Sequence[Any]
+) -> tuple[Any, Any]:
+    """(μ, error) of the member whose largest and smallest displacement are opposite, by bisection.
+
+    Raises DomainError if max + min has the same sign near both ends of (0, 1).
+    """
+
+    def balance(mu: Any) -> Any:
+        return sum(extremes(family(mu), curve, parameters))
+
+    low, high = mp.mpf(1) / 16, mp.mpf(15) / 16
+    rising = balance(high) > 0
+    if (balance(low) > 0) == rising:
+        raise DomainError("The extreme displacements do not balance for any junction between 1/16 and 15/16.")
+    for _ in range(min(HALVINGS, mp.mp.prec)):
+        middle = (low + high) / 2
+        if (balance(middle) > 0) == rising:
+            high = middle
+        else:
+            low = middle
+    return low, max(abs(e) for e in extremes(family(low), curve, parameters))
+
+
+def _curvature(p: Any, T: Any, q: Any) -> Any:
+    d = q - p
+    return 2 * mp.im(mp.conj(T) * d) / abs(d) ** 2
+
+
+def _to_circle(base: Any, T: Any, curvature: Any, point: Any, tangent: Any) -> Any:
+    """The small root d of K|r|²/2 − ⟨iT, r⟩ = 0 at r = point + i·tangent·d − base, or None."""
+    r, normal = point - base, 1j * tangent
+    linear = curvature * mp.re(mp.conj(normal) * r) - mp.re(mp.conj(1j * T) * normal)
+    constant = curvature * abs(r) ** 2 / 2 - mp.re(mp.conj(1j * T) * r)
+    discriminant = linear**2 - 2 * curvature * constant
+    if discriminant < 0:
+        return None
+    root = mp.sqrt(discriminant)
+    return -2 * constant / (linear + root if linear > 0 else linear - root)

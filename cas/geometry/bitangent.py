@@ -1,0 +1,277 @@
+"""The bitangent conics of one arc in as many digits as asked for: slow, precise, apart from the kernels.
+
+The pencil F = l₁² − 4Q l₀l₂ of `osculant.cas.pencil` (thesis 3.3, reconstructed) in mpmath's arithmetic at
+its current precision: displacement along the normals, its peaks, the parabola, the conic of least Hausdorff
+distance by equioscillation (`osculant.cas.geometry.moons` has the areas). An oracle for claims and tests.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from mpmath import mp
+
+from osculant.cas.errors import DomainError, UndecidedError
+from osculant.cas.expression import Node
+from osculant.cas.fields import Multiprecision
+from osculant.cas.formula import parse_tuple
+from osculant.cas.taylor import program
+
+Vector = tuple[Any, Any]
+
+#: inner samples between which peaks and crossings are looked for
+SAMPLES = 40
+#: Newton steps for Q, each with peaks exact to the working precision
+STEPS = 60
+
+
+def bracket(v: Vector, w: Vector) -> Any:
+    """The determinant [v, w].
+
+    >>> bracket((1, 0), (3, 2))
+    2
+    """
+    return v[0] * w[1] - v[1] * w[0]
+
+
+class ReferenceCurve:
+    """A plane curve from its formulas: point, unit tangent, speed and curvature in mpmath numbers.
+
+    Args:
+        coordinates: text such as "t*cos(t), t*sin(t)", or the two parsed formulas, in the variable t.
+
+    >>> circle = ReferenceCurve("cos(t), sin(t)")
+    >>> float(circle.frame(mp.mpf(1)).curvature)
+    1.0
+    """
+
+    def __init__(self, coordinates: str | Sequence[Node]) -> None:
+        nodes = parse_tuple(coordinates) if isinstance(coordinates, str) else tuple(coordinates)
+        if len(nodes) != 2:
+            raise DomainError(f"A plane curve has two coordinates, not {len(nodes)}: give x(t), y(t).")
+        self._program = program(nodes, 2)
+        self._field = Multiprecision()
+
+    def frame(self, t: Any) -> Frame:
+        """The curve at a parameter; raises DomainError where it is undefined or has no tangent."""
+        (x0, x1, x2), (y0, y1, y2) = self._program.run(mp.mpf(t), self._field)
+        speed = mp.hypot(x1, y1)
+        if not mp.isfinite(speed) or speed == 0:
+            raise DomainError(f"The curve has no tangent at t = {mp.nstr(t, 10)}: end the arc before.")
+        return Frame((x0, y0), (x1 / speed, y1 / speed), speed, (x1 * y2 - y1 * x2) / speed**3)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A point of a curve, its unit tangent T, the speed ds/dt and the signed curvature κ."""
+
+    point: Vector
+    tangent: Vector
+    speed: Any
+    curvature: Any
+
+    @property
+    def normal(self) -> Vector:
+        """N, to the left of T."""
+        return -self.tangent[1], self.tangent[0]
+
+
+@dataclass(frozen=True)
+class Displacement:
+    """Where the normal at a point of the curve meets a bitangent conic.
+
+    Attributes:
+        d: the signed distance along the left normal.
+        across, along: derivatives of F at the foot along N and T; ``along`` = 0 at a common normal.
+        by_q: ∂d/∂Q.
+        on_arc: whether the foot lies on the arc of the conic, not elsewhere on the conic.
+    """
+
+    d: Any
+    across: Any
+    along: Any
+    by_q: Any
+    on_arc: bool
+
+
+class BitangentPencil:
+    """The conics tangent to the arc α[a, b] at both its ends, one for each Q > 0.
+
+    Args:
+        curve: a `ReferenceCurve`.
+        a, b: parameters of the ends; the arc must be convex and turn by less than 2π.
+
+    Raises DomainError if the chord or the tangents at the ends are degenerate.
+
+    >>> quarter = BitangentPencil(ReferenceCurve("cos(t), sin(t)"), 0, mp.pi / 2)
+    >>> mp.nstr(quarter.weight(quarter.through(0.3))**2, 12), mp.nstr(quarter.hausdorff(quarter.parabola), 6)
+    ('0.5', '0.0606602')
+    """
+
+    def __init__(self, curve: ReferenceCurve, a: Any, b: Any) -> None:
+        self.curve, self.a, self.b = curve, mp.mpf(a), mp.mpf(b)
+        self.first, self.last = curve.frame(self.a), curve.frame(self.b)
+        p, q = self.first.point, self.last.point
+        self.chord = mp.hypot(q[0] - p[0], q[1] - p[1])
+        if self.chord == 0:
+            raise DomainError(f"The arc over [{a}, {b}] has no chord: its ends are one point.")
+        self.direction = ((q[0] - p[0]) / self.chord, (q[1] - p[1]) / self.chord)
+        sin_a = bracket(self.first.tangent, self.direction)
+        sin_b = bracket(self.direction, self.last.tangent)
+        #: sign of the curvature: +1 turns left
+        self.side = 1 if sin_a > 0 else -1
+        self.sin_a, self.sin_b = self.side * sin_a, self.side * sin_b
+        if not (self.sin_a > 0 and self.sin_b > 0):
+            raise DomainError(f"The arc over [{a}, {b}] does not bend to one side of its chord: shorten it.")
+        self.sin_psi = self.side * bracket(self.first.tangent, self.last.tangent)
+        self._frames: dict[Any, Frame] = {self.a: self.first, self.b: self.last}
+
+    def frame(self, t: Any) -> Frame:
+        """The curve's frame, kept: other members of the pencil ask for it again."""
+        if t not in self._frames:
+            self._frames[t] = self.curve.frame(t)
+        return self._frames[t]
+
+    def lines(self, point: Vector) -> tuple[Any, Any, Any]:
+        """(l₀, l₁, l₂) at a point: distances from the tangent at the end, the chord, the first tangent."""
+        p, q = self.first.point, self.last.point
+        from_p, from_q = (point[0] - p[0], point[1] - p[1]), (point[0] - q[0], point[1] - q[1])
+        return (
+            bracket(self.last.tangent, from_q),
+            bracket(self.direction, from_p),
+            bracket(self.first.tangent, from_p),
+        )
+
+    def weight(self, q: Any) -> Any:
+        """The rational Bézier weight w of the member Q: 1 parabola, below ellipses, above hyperbolas."""
+        return self.sin_psi * mp.sqrt(q / (self.sin_a * self.sin_b))
+
+    def control(self, q: Any) -> Vector:
+        """wP₁ = wP₀ + V of the member Q, finite also where the end tangents are parallel."""
+        reach = self.chord * mp.sqrt(q * self.sin_b / self.sin_a)
+        w, (x, y), (u, v) = self.weight(q), self.first.point, self.first.tangent
+        return w * x + reach * u, w * y + reach * v
+
+    def member(self, q: Any, x: Any) -> Vector:
+        """The point of the member Q at the Bézier parameter x in [0, 1]."""
+        b0, b1, b2 = (1 - x) ** 2, 2 * x * (1 - x), x * x
+        m, below = self.control(q), b0 + self.weight(q) * b1 + b2
+        (x0, y0), (x2, y2) = self.first.point, self.last.point
+        return (b0 * x0 + b1 * m[0] + b2 * x2) / below, (b0 * y0 + b1 * m[1] + b2 * y2) / below
+
+    @property
+    def parabola(self) -> Any:
+        """The Q of the parabola, w = 1; raises DomainError if the arc turns by π or more."""
+        if self.sin_psi <= 0:
+            raise DomainError(
+                f"No parabola touches the arc over [{mp.nstr(self.a, 8)}, {mp.nstr(self.b, 8)}] at both "
+                f"ends: "
+                "it turns by π or more."
+            )
+        return self.sin_a * self.sin_b / self.sin_psi**2
+
+    def through(self, t: Any) -> Any:
+        """The Q of the member through the inner point α(t)."""
+        l0, l1, l2 = self.lines(self.frame(mp.mpf(t)).point)
+        return l1**2 / (4 * l0 * l2)
+
+    def displacement(self, t: Any, q: Any) -> Displacement:
+        """The displacement of the member Q at α(t); raises UndecidedError if the normal misses the conic."""
+        frame = self.frame(t)
+        l0, l1, l2 = self.lines(frame.point)
+        n0, n1, n2 = self._directions(frame.normal)
+        second, first, rest = n1**2 - 4 * q * n0 * n2, 2 * (l1 * n1 - 2 * q * (l0 * n2 + l2 * n0)), (
+            l1**2 - 4 * q * l0 * l2
+        )  # fmt: skip
+        under = first**2 - 4 * second * rest
+        if under <= 0:
+            raise UndecidedError(f"The normal at t = {mp.nstr(t, 8)} misses the conic: the arc is too long.")
+        root = mp.sign(first) * mp.sqrt(under)
+        d = -2 * rest / (first + root)
+        f0, f1, f2 = l0 + d * n0, l1 + d * n1, l2 + d * n2
+        t0, t1, t2 = self._directions(frame.tangent)
+        along = 2 * (f1 * t1 - 2 * q * (f0 * t2 + f2 * t0))
+        s = self.side
+        # beyond the ends by no more than rounding
+        slack = -(mp.eps ** mp.mpf("0.5")) * self.chord
+        on_arc = bool(s * f0 >= slack and s * f2 >= slack and s * f1 <= -slack)
+        return Displacement(d, root, along, 4 * f0 * f2 / root, on_arc)
+
+    def _directions(self, v: Vector) -> tuple[Any, Any, Any]:
+        return bracket(self.last.tangent, v), bracket(self.direction, v), bracket(self.first.tangent, v)
+
+    @cached_property
+    def grid(self) -> list[Any]:
+        """Inner parameters between which `peaks` and `crossings` look for changes of sign."""
+        return [self.a + (self.b - self.a) * i / (SAMPLES + 1) for i in range(1, SAMPLES + 1)]
+
+    def peaks(self, q: Any) -> list[tuple[Any, Any]]:
+        """(t, d) at the inner extremes of the displacement: where curve and conic have a common normal."""
+        seen = [self.displacement(t, q) for t in self.grid]
+        found = [
+            root_between(lambda t: self.displacement(t, q).along, low, high)
+            for low, high, one, two in zip(self.grid, self.grid[1:], seen, seen[1:])
+            if one.along * two.along <= 0
+        ]
+        return [(t, self.displacement(t, q).d) for t in found]
+
+    def crossings(self, q: Any) -> list[Any]:
+        """The inner parameters where curve and conic meet, if they cross there."""
+        offset = [self.through(t) - q for t in self.grid]
+        return [
+            root_between(lambda t: self.through(t) - q, low, high)
+            for low, high, one, two in zip(self.grid, self.grid[1:], offset, offset[1:])
+            if one * two <= 0
+        ]
+
+    def hausdorff(self, q: Any) -> Any:
+        """max|d| of the member Q, to the working precision; UndecidedError if a foot is off the arc."""
+        for t in self.grid:
+            if not self.displacement(t, q).on_arc:
+                raise UndecidedError(f"The normal at t = {mp.nstr(t, 8)} misses the conic's arc.")
+        return max((abs(d) for _, d in self.peaks(q)), default=mp.mpf(0))
+
+    def best(self) -> Any:
+        """The Q of least Hausdorff distance: max d = −min d (Corollary 3.3.3), by Newton's method.
+
+        Each step needs the peaks of one member and ∂d/∂Q there. Raises UndecidedError if it does not settle.
+        """
+        q, before = self.through((self.a + self.b) / 2), mp.inf
+        for _ in range(STEPS):
+            peaks = [*self.peaks(q), (self.a, mp.mpf(0))]
+            (top, high), (bottom, low) = max(peaks, key=lambda p: p[1]), min(peaks, key=lambda p: p[1])
+            slope = sum(self.displacement(t, q).by_q for t in (top, bottom))
+            step = (high + low) / slope
+            # quadratic convergence ends where the steps are the rounding of the displacements
+            if step == 0 or (abs(step) >= before / 2 and abs(step) < q * mp.sqrt(mp.eps)):
+                return q
+            q, before = q - max(-q / 2, min(q / 2, step)), abs(step)
+        raise UndecidedError(
+            f"The best conic over [{mp.nstr(self.a, 8)}, {mp.nstr(self.b, 8)}] did not settle: shorten the "
+            f"arc."
+        )
+
+
+def root_between(function: Callable[[Any], Any], low: Any, high: Any) -> Any:
+    """A zero between two parameters of opposite sign, to the working precision.
+
+    >>> mp.nstr(root_between(lambda t: t * t - 2, mp.mpf(1), mp.mpf(2)), 12)
+    '1.41421356237'
+    """
+    at_low, at_high = function(low), function(high)
+    narrow = 4 * mp.eps * (abs(low) + abs(high))
+    for _ in range(8 * mp.dps):
+        if at_low == 0 or at_high == 0 or abs(high - low) <= narrow:
+            break
+        t = (low * at_high - high * at_low) / (at_high - at_low)
+        value = function(t)
+        if value * at_high <= 0:
+            low, at_low = high, at_high
+        else:  # Anderson and Björck: the end that stays counts for less, so the other side is met soon
+            factor = 1 - value / at_high
+            at_low *= factor if factor > 0 else mp.mpf(1) / 2
+        high, at_high = t, value
+    return low if abs(at_low) < abs(at_high) else high
