@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TypeVar
 
-from osculant.cas.expression import Node
+from osculant.cas.expression import Node, add, call, div, mul, neg, number, power, sub
 
 Result = TypeVar("Result")
 
@@ -52,3 +52,26 @@ def variables(roots: Iterable[Node]) -> set[str]:
     ['x', 'y']
     """
     return {node.value for node in topological(roots) if node.kind == "variable"}
+
+
+def substitute(roots: Sequence[Node], values: Mapping[str, Node]) -> list[Node]:
+    """The roots with expressions in the place of variables; variables without a value stay.
+
+    >>> from osculant.cas.expression import number, variable
+    >>> print(substitute([variable("x") ** 2 + variable("y")], {"x": variable("y") + 1})[0])
+    (y + 1)**2 + y
+    """
+    binary = {"add": add, "sub": sub, "mul": mul, "div": div}
+
+    def rule(node: Node, args: list[Node]) -> Node:
+        if node.kind == "variable":
+            return values.get(node.value, node)
+        if node.kind in binary:
+            return binary[node.kind](*args)
+        if node.kind == "neg":
+            return neg(args[0])
+        if node.kind == "pow":
+            return power(args[0], number(node.value))
+        return call(node.value, args[0]) if node.kind == "call" else node
+
+    return fold(roots, rule)

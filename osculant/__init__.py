@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from osculant.api import approximate, complexity, curve
     from osculant.asymptotics import Complexity
     from osculant.cas.errors import DomainError, FormulaError, OsculantError, ToleranceError, UndecidedError
+    from osculant.map_germs import MapGerm, germ
     from osculant.plane import PlaneCurve
     from osculant.spline import Piece, Spline
     from osculant.verification import Verification, verify
@@ -27,6 +28,7 @@ __all__ = [
     "Complexity",
     "DomainError",
     "FormulaError",
+    "MapGerm",
     "OsculantError",
     "Piece",
     "PlaneCurve",
@@ -37,6 +39,7 @@ __all__ = [
     "approximate",
     "complexity",
     "curve",
+    "germ",
     "verify",
 ]
 
@@ -50,6 +53,8 @@ _HOME = {
     "Spline": "osculant.spline",
     "Piece": "osculant.spline",
     "verify": "osculant.verification",
+    "germ": "osculant.map_germs",
+    "MapGerm": "osculant.map_germs",
     "Verification": "osculant.verification",
     "OsculantError": "osculant.cas.errors",
     "FormulaError": "osculant.cas.errors",

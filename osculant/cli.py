@@ -27,6 +27,7 @@ from osculant.arguments import (
     whole_number,
 )
 from osculant.cas.errors import OsculantError
+from osculant.cli_germ import GermCommand, germ
 from osculant.cli_verify import verify
 from osculant.report import (
     Waiting,
@@ -60,7 +61,7 @@ Formula = Annotated[
 ]
 Low = Annotated[str | None, typer.Option("--from", metavar="A", help="First end of the interval, a formula.")]
 High = Annotated[str | None, typer.Option("--to", metavar="B", help="Last end of the interval, a formula.")]
-Primitive = Annotated[str, typer.Option("--with", metavar="conic|parabola", help="What the pieces are.")]
+Primitive = Annotated[str, typer.Option("--with", metavar="conic|parabola|biarc", help="The kind of pieces.")]
 SplitAt = Annotated[
     list[str] | None,
     typer.Option("--split-at", metavar="T", help="A parameter that shall be a knot; repeatable."),
@@ -210,22 +211,29 @@ def complexity(
 @app.command(cls=FormulaCommand)
 def tables(
     number: Annotated[
-        str, typer.Argument(metavar="TABLE", help="The table's number in the thesis: 3.1 or 3.3.")
+        str, typer.Argument(metavar="TABLE", help="The table's number in the thesis: 3.1, 3.3 or 5.")
     ],
     as_json: AsJson = False,
 ) -> None:
-    """Compute a table of the thesis beside what it prints, with a verdict for every cell."""
+    """Compute a table of the thesis beside what it prints, with a verdict for every cell.
+
+    The numbers of table 5 are lost: counts beside theory.
+    """
+    from osculant.count_tables import CountTable
     from osculant.tables import compute
 
     with Waiting(f"computing table {number}") as progress:
         table = compute(number, progress)
     if as_json:
         print_json(table.to_json())
+    elif isinstance(table, CountTable):
+        print(table.text())
     else:
         print_table(table)
 
 
 app.command(cls=FormulaCommand)(verify)
+app.command(cls=GermCommand)(germ)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -168,7 +168,7 @@ def expanded_bracket(form: str) -> Evidence:
 )
 def brackets_by_phi(form: str) -> Evidence:
     """φ over a jet with φ̇ by the chain rule of the cube root; the derivative of [α̇, α̈] is [α̇, α⃛]."""
-    cube, rate = read_tuple(form, {"phi": phi, "phi1": PHI["phi1"]})
+    cube, rate = read_tuple(form, {"phi": phi, "phi1": PHI["phi1"]}, 2)
     return vanishes(cube - D, "[α̇, α̈]", CURVE) & vanishes(rate - derivative(D), "[α̇, α⃛]", CURVE)
 
 
@@ -207,7 +207,7 @@ def determined_by_affine_curvature(form: str) -> Evidence:
     with generic M, M̃ under the stated K.
     """
     first, second, third = by_affine_arc_length(3)
-    entries = read_tuple(form, {"k": affine_curvature()})
+    entries = read_tuple(form, {"k": affine_curvature()}, 4)
     columns = [
         (entries[j] * first[i] + entries[j + 2] * second[i], (second, third)[j][i], "tn"[j], i + 1)
         for j in range(2)
@@ -215,7 +215,7 @@ def determined_by_affine_curvature(form: str) -> Evidence:
     ]
     found = [vanishes(a - b, f"{name}′, coordinate {i}", CURVE) for a, b, name, i in columns]
     k = sp.Symbol("k", real=True)
-    K = sp.Matrix(2, 2, read_tuple(form, {"k": k}))
+    K = sp.Matrix(2, 2, read_tuple(form, {"k": k}, 4))
     M, N = sp.Matrix(2, 2, sp.symbols("m:4")), sp.Matrix(2, 2, sp.symbols("n:4"))
     inverse = M.inv()
     rate = N * K * inverse - N * inverse * (M * K) * inverse
@@ -235,7 +235,7 @@ def mirrored(form: str) -> Evidence:
     """y ↦ −y makes [α̇, α̈] and its cube root φ their negatives; that is put into k and dk/dr on a jet."""
     mirror = {s: -s for s in (*y, phi)}
     derived = (GENERIC.affine_curvature, GENERIC.affine_curvature_slope)
-    values = read_tuple(form, dict(zip(("k", "slope"), derived, strict=True)))
+    values = read_tuple(form, dict(zip(("k", "slope"), derived, strict=True)), 2)
     return all_of(
         vanishes(value - d.subs(mirror, simultaneous=True), name)
         for value, d, name in zip(values, derived, ("k", "dk/dr"), strict=True)

@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import positive, read, read_tuple, vanishes
 from osculant.cas.derivations.affine import by_affine_arc_length, curvature
 from osculant.cas.derivations.jets import Vector, along, bracket, derivative, phi, v, x, y
 from osculant.cas.invariants import PlaneJet
@@ -38,7 +38,7 @@ def same_vectors(form: str, symbols: dict[str, Any], derived: list[Vector], what
     found = []
     for i in range(2):
         values = {name: s[i] if isinstance(s, tuple) else s for name, s in symbols.items()}
-        stated = read_tuple(form, values) if len(derived) > 1 else (read(form, values),)
+        stated = read_tuple(form, values, len(derived))
         found += [
             vanishes(a - b[i], f"{name}, coordinate {i + 1}", CURVE)
             for a, b, name in zip(stated, derived, what, strict=True)
@@ -105,15 +105,23 @@ def change_of_parameter(form: str) -> Evidence:
     "φ = [α̇, α̈]^(1/3) is dr/du for affine arc length r, so r does not depend on the parameter of α.",
     method=Method.PROOF,
     form="b12**(1/3)",
-    wrong=("b12**(1/2)", "b12**(2/3)"),
+    wrong=("b12**(1/2)", "b12**(2/3)", "2*b12**(1/3)", "-b12**(1/3)", "0"),
 )
 def affine_speed(form: str) -> Evidence:
     """Under u = u(τ) the bracket becomes [α̇, α̈]u′³ by (2.2), and φ dτ must become φ du: φ ↦ φu′.
 
-    With [α̇, α̈] = w³, w > 0, and u′ > 0 that is an identity for the cube root and for no other power.
+    With [α̇, α̈] = w³, w > 0, and u′ > 0 that is an identity for multiples of the cube root and for no other
+    power. The factor: γ′ = α̇/f and γ″ = (dγ′/du)/f have [γ′, γ″] = [α̇, α̈]/f³ for a generic f, and that is 1
+    for f = φ.
     """
     w, rate = sp.symbols("w u1", positive=True)
-    return vanishes(read(form, {"b12": w**3 * rate**3}) - read(form, {"b12": w**3}) * rate, "φ(τ) − φ(u)u′")
+    f, slope = sp.symbols("f f1", real=True)
+    stated = read(form, {"b12": w**3})
+    first = (x[1] / f, y[1] / f)
+    second = tuple((z[2] / f - z[1] * slope / f**2) / f for z in (x, y))
+    scale = vanishes(bracket(first, second) - D / f**3, "[γ′, γ″] − [α̇, α̈]/f³")
+    unit = vanishes(w**3 - stated**3, "[α̇, α̈] − φ³") & positive(stated, "φ for [α̇, α̈] > 0")
+    return scale & unit & vanishes(read(form, {"b12": w**3 * rate**3}) - stated * rate, "φ(τ) − φ(u)u′")
 
 
 @claim(
@@ -217,7 +225,7 @@ def frames(form: str) -> Evidence:
     found = []
     for i, axis in enumerate("TN"):
         basis = {"T": 1 - i, "N": i}
-        stated = read_tuple(form, kappas() | basis)
+        stated = read_tuple(form, kappas() | basis, 2)
         for value, derived, name in zip(stated, euclidean_frame(), "tn", strict=True):
             found.append(vanishes(value - derived[i], f"{name} along {axis}"))
     return all_of(found)

@@ -131,7 +131,7 @@ def confluent_difference(form: str) -> Evidence:
 
 def _integrals(form: str, n: int) -> Any:
     """∫₀¹ (first part of the form)·f⁽ⁿ⁾(second part) du for the polynomial with symbolic coefficients."""
-    weight, point = read_tuple(form, {"u": u, "x": x, "xi": xi, "n": sp.Integer(n)})
+    weight, point = read_tuple(form, {"u": u, "x": x, "xi": xi, "n": sp.Integer(n)}, 2)
     derivative = sp.diff(polynomial, x, n).subs(x, point)
     return sp.integrate(sp.expand(weight * derivative), (u, 0, 1))
 

@@ -20,7 +20,7 @@ from osculant.cas.asymptotics.flat_functions import (
     y,
 )
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import positive, read, read_tuple, vanishes
 
 u, s = sp.symbols("u s", real=True)
 r = sp.Symbol("r", positive=True)
@@ -92,19 +92,20 @@ def error_without_crossing(form: str) -> Evidence:
     "section A.2-2",
     "After scaling u = rx, ∂f̃/∂x has its (n − 1)-fold zeros at x = 0 and x = 1.",
     method=Method.PROOF,
-    form="1",
-    printed="r",
+    form="0, 1",
+    printed="0, r",
     erratum="The proof of Lemma A.2.1 places a zero of the scaled derivative ∂f̃/∂x at x = r; it is at x = 1.",
-    wrong=("1/2", "2"),
+    wrong=("0, 1/2", "0, 2", "0, 0", "1, 1"),
 )
 def zeros_of_the_scaled_derivative(form: str) -> Evidence:
-    """f̃ = xⁿ(1 − x)ⁿF(rx, r) for n = 2 and F linear; the form is the second zero, besides x = 0."""
+    """f̃ = xⁿ(1 − x)ⁿF(rx, r) for n = 2 and F linear; the form gives both zeros that do not depend on F."""
     scaled = x**2 * (1 - x) ** 2 * (F + F_u * r * x + F_r * r)
     slope = sp.diff(scaled, x)
-    second = read(form, {"r": r})
-    return vanishes(slope.subs(x, 0), "zero at x = 0") & vanishes(
-        slope.subs(x, second), f"zero at x = {second}"
-    )
+    places = read_tuple(form, {"r": r}, 2)
+    evidence = Evidence(places[0] != places[1], (f"zeros at {places[0]} and {places[1]}",))
+    for place in places:
+        evidence &= vanishes(slope.subs(x, place), f"∂f̃/∂x at x = {place}")
+    return evidence
 
 
 @claim(
@@ -171,7 +172,7 @@ def critical_equation(form: str) -> Evidence:
     "Q(1) = −n(1 − y); so max |f̃| is the larger of the two.",
     method=Method.PROOF,
     form="-n*y, y*(1 - y), -n*(1 - y)",
-    wrong=("n*y, y*(1 - y), -n*(1 - y)", "-n*y, n*y*(1 - y), -n*(1 - y)"),
+    wrong=("n*y, y*(1 - y), -n*(1 - y)", "-n*y, n*y*(1 - y), -n*(1 - y)", "-n*y, y*(1 - y), 0"),
 )
 def interlacing(form: str) -> Evidence:
     """The quadratic Q of (A.5) at 0, y and 1, for the symbol n.
@@ -181,7 +182,9 @@ def interlacing(form: str) -> Evidence:
     """
     Q, inside = Model(n, y).critical_form, sp.Symbol("q", positive=True)
     evidence = Evidence(True)
-    for place, stated, sign in zip((0, y, 1), read_tuple(form, {"n": n, "y": y}), (-1, 1, -1)):
+    for place, stated, sign in zip(
+        (0, y, 1), read_tuple(form, {"n": n, "y": y}, 3), (-1, 1, -1), strict=True
+    ):
         evidence &= vanishes(stated - Q.subs(x, place), f"Q({place})")
         positive = sp.factor((sign * stated).subs(y, inside / (1 + inside)))  # all y between 0 and 1
         evidence &= Evidence(
@@ -249,7 +252,7 @@ def constant_with_crossing(form: str) -> Evidence:
     erratum="The last displays of the proof of Lemma A.2.1 leave out the factor |F(0, 0, 0)|, so that "
     "the error would not "
     "depend on f.",
-    wrong=("constant/F", "2*constant*F"),
+    wrong=("constant/F", "2*constant*F", "-constant*F"),
 )
 def balanced_error(form: str) -> Evidence:
     """The peak of the model times F > 0 at r = 0, with ``constant`` = cₙ, for n = 1, 2, 3."""
@@ -258,7 +261,8 @@ def balanced_error(form: str) -> Evidence:
     for number in SMALL:
         peaks = [sp.sqrt(sp.expand(v**2)) * size for v in Model(number, half).critical_values]
         stated = read(form, {"constant": flat_constant(number, 1), "F": size})
-        for side, peak in zip(("left", "right"), peaks):
+        evidence &= positive(stated, f"the error, n = {number}")
+        for side, peak in zip(("left", "right"), peaks, strict=True):
             evidence &= vanishes(stated**2 - sp.expand(peak**2), f"{side} peak, squared, n = {number}")
     return evidence
 
@@ -269,7 +273,7 @@ def balanced_error(form: str) -> Evidence:
     "O(r²ⁿ⁺²).",
     method=Method.PROOF,
     form="constant/factorial",
-    wrong=("constant", "constant/(2*factorial)"),
+    wrong=("constant", "constant/(2*factorial)", "-constant/factorial"),
 )
 def error_with_crossing(form: str) -> Evidence:
     """f = uⁿ(r − u)ⁿ(u − s)F; ``constant`` is cₙ and ``factorial`` (2n + 1)!, n = 1, 2, 3.
@@ -285,7 +289,9 @@ def error_with_crossing(form: str) -> Evidence:
         leading = sp.factor(scaled.coeff(r, 2 * number + 1))
         peaks = [leading.subs(x, point) for point in Model(number, half).critical_points]
         symbols = {"constant": flat_constant(number, 1), "factorial": sp.factorial(2 * number + 1)}
-        stated = (read(form, symbols) * derivative) ** 2
+        factor = read(form, symbols)
+        evidence &= positive(factor, f"the factor of |∂²ⁿ⁺¹f|r²ⁿ⁺¹, n = {number}")
+        stated = (factor * derivative) ** 2
         for peak in peaks:
             evidence &= vanishes(sp.expand(peak**2) - sp.expand(stated), f"squared peak, n = {number}")
     return evidence

@@ -10,6 +10,7 @@ from osculant.cas.claims.bracket_signs import K0, K1, negative, of_turning, phi
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.helix_equation import H
 from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.errors import DomainError
 from osculant.cas.signs import sign_between
 
 t0 = sp.Symbol("t0", real=True)
@@ -64,7 +65,7 @@ def slope(form: str) -> Evidence:
 )
 def brackets(form: str) -> Evidence:
     """2D²R H'/((1 + t₀) sin(φ/2)) from (4.11) is t₀ times the first plus the second."""
-    first, second = (part for part in read_tuple(form, {"phi": phi}))
+    first, second = read_tuple(form, {"phi": phi}, 2)
     below = read(BELOW, {"phi": phi, "t0": t0})
     derived = 2 * below**2 * R * _slope_of_H() / ((1 + t0) * sp.sin(phi / 2))
     return vanishes(_halved(derived - t0 * first - second), "t₀K₀ + K₁", [ROOT, CIRCLE])
@@ -81,18 +82,27 @@ def brackets(form: str) -> Evidence:
     wrong=("-1/2", "1/10"),
 )
 def reach_of_the_argument(form: str) -> Evidence:
-    """The least t₀ from which negative K₀, K₁ always give a negative sum.
+    """The form is the least t₀ from which negative K₀, K₁ always give a negative sum.
 
-    For t₀ < 0 the pair K₀ = 2/t₀, K₁ = −1 gives t₀K₀ + K₁ = 1; for t₀ ≥ 0 both terms are non-positive.
+    At the form, and beyond it, −t₀a − b must be negative for all a, b > 0; and just below it there must be a
+    pair K₀, K₁ < 0 with a sum that is not: K₀ = 2/t₀, K₁ = −1, if that is such a pair.
     """
     least = read(form, {})
-    if least < 0:
-        inside = least / 2
-        total = inside * (2 / inside) - 1
-        return Evidence(False, (f"t₀ = {inside}, K₀ = {2 / inside}, K₁ = −1: t₀K₀ + K₁ = {total}",))
-    return Evidence(
-        least == 0, ("for t₀ ≥ 0 both terms are non-positive, and t₀ = 0 is the least such value",)
+    if not least.is_real:
+        raise DomainError(f"A real number is expected, not {form!r}.")
+    a, b, step = sp.symbols("a b delta", positive=True)
+    enough = all((-t * a - b).is_negative for t in (least, least + step))
+    below = least / 2 if least > 0 else least - step
+    pair = 2 / below, sp.Integer(-1)
+    total = sp.cancel(below * pair[0] + pair[1])
+    sharp = all(part.is_negative for part in pair) and total.is_positive
+    lines = (
+        f"t₀ = {least} and t₀ = {least + step}: −t₀a − b is {'' if enough else 'not '}negative for all "
+        "a, b, delta > 0",
+        f"t₀ = {below}, K₀ = {pair[0]}, K₁ = {pair[1]}: t₀K₀ + K₁ = {total}"
+        + ("" if sharp else f", but K₀ < 0 is wanted and fails: {least} is not the least value"),
     )
+    return Evidence(bool(enough and sharp), lines)
 
 
 @claim(
@@ -112,7 +122,7 @@ def repair(form: str) -> Evidence:
     affine = t0 * of_turning(K0) + of_turning(K1)
     evidence = Evidence(True)
     for end, stated, name in zip(
-        (sp.cos(phi), sp.S.One), read_tuple(form, {"phi": phi}), ("cos φ", "1"), strict=True
+        (sp.cos(phi), sp.S.One), read_tuple(form, {"phi": phi}, 2), ("cos φ", "1"), strict=True
     ):
         evidence &= vanishes(_halved(affine.subs(t0, end) - stated), f"t₀ = {name}", [CIRCLE])
         factor = sp.cancel(stated / (1 - sp.cos(phi)))

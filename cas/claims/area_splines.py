@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-import mpmath
 import sympy as sp
 from flint import arb
 
 from osculant.cas.balls import PRECISION, CurveBalls, constant, precision
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.conic_area import Q, area_at, areas, c, k, k1, moons, rho
-from osculant.cas.claims.proof import agrees, read, read_tuple, vanishes
+from osculant.cas.claims.proof import agrees, positive, read, read_tuple, split, vanishes
 from osculant.cas.complexity import integral
 from osculant.cas.formula import parse_constant, parse_tuple
 from osculant.cas.invariants import PlaneJet
@@ -57,9 +56,9 @@ def pieces(form: str, primitive: str) -> Evidence:
     """Whether the form in ``content`` and ε is the n for which the spline's area is ε."""
     order = ORDERS[primitive]
     area = arc_factor(primitive) * content**order / n ** (order - 1)
-    return vanishes(
-        area.subs(n, read(form, {"content": content, "eps": eps})) - eps, "area of N(ε) pieces less ε"
-    )
+    stated = read(form, {"content": content, "eps": eps})
+    solves = vanishes(area.subs(n, stated) - eps, "area of N(ε) pieces less ε")
+    return positive(stated, "N(ε)") & solves
 
 
 @claim(
@@ -116,7 +115,7 @@ def equisymmetric_spline(form: str) -> Evidence:
 def equal_content(form: str) -> Evidence:
     """An arc of content λ has the length λ/|k|^x and an area like |k|^{1 − px}: free of k iff x = 1/p."""
     result = Evidence(True)
-    for (primitive, order), exponent in zip(ORDERS.items(), read_tuple(form, {}), strict=True):
+    for (primitive, order), exponent in zip(ORDERS.items(), read_tuple(form, {}, 2), strict=True):
         area = arc_factor(primitive) * a * (content / a**exponent) ** order
         result &= vanishes(sp.diff(area, a) * a / area, f"area by the invariant, {primitive}")
     return result
@@ -124,10 +123,14 @@ def equal_content(form: str) -> Evidence:
 
 @claim(
     "(3.25)",
-    "N(ε) = 240^(−1/4) (∫|k|^(1/5) dr)^(5/4) ε^(−1/4)(1 + O(ε^(1/4))) parabolas have the area ε.",
+    "N(ε) = 240^(−1/4) (∫|k|^(1/5) dr)^(5/4) ε^(−1/4) parabolas have the area ε, to leading order.",
     method=Method.PROOF,
     form="240^(-1/4)*content^(5/4)*eps^(-1/4)",
-    wrong=("240^(-1/4)*content*eps^(-1/4)", "240^(-1/5)*content^(5/4)*eps^(-1/4)"),
+    wrong=(
+        "240^(-1/4)*content*eps^(-1/4)",
+        "240^(-1/5)*content^(5/4)*eps^(-1/4)",
+        "-240^(-1/4)*content^(5/4)*eps^(-1/4)",
+    ),
 )
 def parabola_pieces(form: str) -> Evidence:
     """Corollary 3.6.5 solved for n."""
@@ -136,7 +139,7 @@ def parabola_pieces(form: str) -> Evidence:
 
 @claim(
     "(3.26)",
-    "N(ε) = 7680^(−1/5) (∫|dk/dr|^(1/6) dr)^(6/5) ε^(−1/5)(1 + O(ε^(1/5))) conics have the area ε.",
+    "N(ε) = 7680^(−1/5) (∫|dk/dr|^(1/6) dr)^(6/5) ε^(−1/5) conics have the area ε, to leading order.",
     method=Method.PROOF,
     form="7680^(-1/5)*content^(6/5)*eps^(-1/5)",
     wrong=("7680^(-1/5)*content*eps^(-1/5)", "7680^(-1/6)*content^(6/5)*eps^(-1/5)"),
@@ -177,9 +180,7 @@ def conic_constants(form: str) -> Evidence:
 
 def _constants(form: str, primitive: str) -> Evidence:
     result, order = Evidence(True), ORDERS[primitive]
-    with mpmath.workdps(30):
-        numbers = [mpmath.mpf(text) for text in form.split(",")]
-    for claimed, (curve, low, high) in zip(numbers, (SPIRAL, SEXTIC), strict=True):
+    for claimed, (curve, low, high) in zip(split(form, 2), (SPIRAL, SEXTIC), strict=True):
         with precision(PRECISION):
             balls = CurveBalls(parse_tuple(curve))
             ends = constant(parse_constant(low)), constant(parse_constant(high))

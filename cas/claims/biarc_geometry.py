@@ -129,7 +129,7 @@ def monotone_curvatures(form: str) -> Evidence:
         derived.append(sp.I * _omega / 2 * _m * sp.diff(curvature, _m))  # d/dμ: m = e^{iμω/2}
     sines = {"S": _sine(_w), "s1": _sine(_m), "s2": _sine(_w / _m), "D": _sine(_e), "omega": _omega}
     evidence = Evidence(True)
-    for what, stated, found in zip(("first", "second"), read_tuple(form, sines), derived, strict=True):
+    for what, stated, found in zip(("first", "second"), read_tuple(form, sines, 2), derived, strict=True):
         evidence &= vanishes(stated - found, f"dK/dμ of the {what} arc")
     return evidence
 

@@ -40,7 +40,7 @@ def curvature_difference(form: str) -> Evidence:
     Turning and both coordinates determine both curvatures and the second length, coefficient by coefficient.
     Inserting the curve into the circles' equations gives f·h³; the second derivative is taken at the end.
     """
-    claimed = read_tuple(form, {"kappa1": _k1, "v": v, "x": x})
+    claimed = read_tuple(form, {"kappa1": _k1, "v": v, "x": x}, 2)
     evidence = Evidence(True)
     for side, found, stated in zip(("left", "right"), biarc().curvature_difference(), claimed, strict=True):
         evidence &= vanishes(stated - found, f"{side} arc, f″")
@@ -176,7 +176,7 @@ def complexity(form: str) -> Evidence:
 )
 def complexity_values(form: str) -> Evidence:
     """∫(|κ′|/324)^{1/3} ds of both curves, κ′ from their jets."""
-    spiral, sextic = read_tuple(form, {})
+    spiral, sextic = read_tuple(form, {}, 2)
     with precision(PRECISION):
         ends = {
             "t*cos(t), t*sin(t)": (arb.pi() / 6, 2 * arb.pi()),

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import positive, read, read_tuple, vanishes
 from osculant.cas.geometry.bihelices import End, junction_cylinder, junction_line, junction_plane
 from osculant.cas.space_curves import Vector3, add, cross, det, dot, scale, subtract
 
@@ -74,7 +74,7 @@ def _is_zero(element: Any, what: str) -> Evidence:
     "T₀ − T_L.",
     method=Method.PROOF,
     form="T0 - TL",
-    wrong=("T0 + TL", "T0", "TL"),
+    wrong=("T0 + TL", "T0", "TL", "0*T0"),
 )
 def plane_of_junction_points(form: str) -> Evidence:
     """In its Darboux frame {W, N, V} a helix is α(s) = sτ̄V + (κ̄/β)(sin φ W + (1 − cos φ)N), φ = βs, with the
@@ -86,7 +86,8 @@ def plane_of_junction_points(form: str) -> Evidence:
     chord = (bend * s / beta, bend * (1 - c) / beta, climb * phi / beta)
     tangents = {"TL": (bend, sp.Integer(0), climb), "T0": (bend * c, bend * s, climb)}
     normal = [read(form, {name: v[i] for name, v in tangents.items()}) for i in range(3)]
-    return vanishes(dot(chord, normal), "⟨p₀ − p_L, normal⟩", [(c**2 + s**2 - 1, c)])
+    given = Evidence(any(part != 0 for part in normal), (f"the normal is {tuple(normal)}",))
+    return given & vanishes(dot(chord, normal), "⟨p₀ − p_L, normal⟩", [(c**2 + s**2 - 1, c)])
 
 
 @claim(
@@ -102,7 +103,7 @@ def line_of_junction_points(form: str) -> Evidence:
     a, b = _generic("a"), _generic("b")
     far = _generic("p")
     names = {str(symbol): symbol for v in (a, b) for symbol in v}
-    direction = read_tuple(form, names)
+    direction = read_tuple(form, names, 3)
     origin: Vector3 = (sp.Integer(0),) * 3
     middle = _generic("t")
     left, right = End(origin, subtract(middle, a)), End(far, add(middle, b))
@@ -127,7 +128,7 @@ def parallel_junction_lines(form: str) -> Evidence:
     a, b, c = _generic("a"), _generic("b"), _generic("c")  # T₀ − T_L, T₀′ − T_L, T_R − T_L
     directions = cross(a, subtract(c, a)), cross(b, subtract(c, b))
     names = {str(s): s for v in (a, b, c) for s in v} | {"D": det(a, b, c)}
-    claimed = read_tuple(form, names)
+    claimed = read_tuple(form, names, 3)
     return _all_vanish(subtract(cross(*directions), claimed), "product of the directions")
 
 
@@ -145,7 +146,7 @@ def cylinder_axis(form: str) -> Evidence:
     θ: an identity in the tangents of half the angles.
     """  # noqa: D205
     circle = _circle()
-    x, y = (circle.element(entry) for entry in read_tuple(form, {"d": d, "omega": omega}))
+    x, y = (circle.element(entry) for entry in read_tuple(form, {"d": d, "omega": omega}, 2))
     gap = circle.squared_distance(circle.line.point, x, y) - circle.squared_distance(circle.left.point, x, y)
     return _is_zero(gap, "squared distances of junction line and p_L from the axis")
 
@@ -155,16 +156,17 @@ def cylinder_axis(form: str) -> Evidence:
     "The junction cylinder has the radius |d|/(2|sin(ω/2)|), and passes through p_L and p_R.",
     method=Method.PROOF,
     form="d/(2*sin(omega/2))",
-    wrong=("d/(2*tan(omega/2))", "d/(2*sin(omega))", "d/sin(omega/2)"),
+    wrong=("d/(2*tan(omega/2))", "d/(2*sin(omega))", "d/sin(omega/2)", "-d/(2*sin(omega/2))"),
 )
 def cylinder_radius(form: str) -> Evidence:
     """From the axis of the screw motion that takes (p_L, T_L) to (p_R, T_R): the distances of p_L, of p_R and
     of the junction line of every T₀ on the circle, all squared.
     """  # noqa: D205
     circle = _circle()
-    squared = circle.element(read(form, {"d": d, "omega": omega}) ** 2)
+    stated = read(form, {"d": d, "omega": omega})
+    squared = circle.element(stated**2)
     x, y, _ = circle.cylinder.axis.point
-    evidence = Evidence(True)
+    evidence = positive(stated.subs({d: 1, omega: sp.pi / 3}), "the radius for d = 1, ω = π/3")
     points = {"p_L": circle.left.point, "p_R": circle.right.point, "l(T₀)": circle.line.point}
     for what, p in points.items():
         gap = circle.squared_distance(p, x, y) - squared
@@ -183,7 +185,7 @@ def cylinder_radius(form: str) -> Evidence:
 def screw_motion(form: str) -> Evidence:
     """The rotation by the claimed angle about the axis of the cylinder, then the step along it."""
     circle = _circle()
-    angle, height = read_tuple(form, {"omega": omega, "z": z})
+    angle, height = read_tuple(form, {"omega": omega, "z": z}, 2)
     c, s, step = (circle.element(e) for e in (sp.cos(angle), sp.sin(angle), height))
     axis = circle.cylinder.axis.point
 
@@ -215,7 +217,7 @@ def family_of_cylinders(form: str) -> Evidence:
     vectors that do, since a unit vector orthogonal to G is on the circle of E and F.
     """  # noqa: D205
     psi, c, h = sp.symbols("psi c h", positive=True)
-    axis = read_tuple(form, {"psi": psi})
+    axis = read_tuple(form, {"psi": psi}, 3)
     tangents = (c, sp.Integer(0), -h), (c, sp.Integer(0), h)
     equal = vanishes(dot(axis, tangents[0]) - dot(axis, tangents[1]), "⟨n, T_L⟩ = ⟨n, T_R⟩")
     return equal & vanishes(dot(axis, axis) - 1, "|n| = 1")

@@ -15,7 +15,7 @@ from osculant.cas.asymptotics.bihelix_series import leading_constant
 from osculant.cas.asymptotics.space_complexity import curvature_slope_integral
 from osculant.cas.balls import constant
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import agrees, read, read_tuple, vanishes
+from osculant.cas.claims.proof import agrees, read, read_tuple, rounding, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.formula import parse_constant, parse_tuple
 from osculant.cas.geometry.bihelices import Bihelix
@@ -36,7 +36,7 @@ DIGITS, WANTED, WIDTH, HALVINGS = 80, 40, Fraction(1, 4096), 7
 
 @claim(
     "section 1.5-2",
-    "A bihelix spline needs ∫ (κ′/324)^{1/3} ds · ε^{−1/3} pieces to leading order (κ′ > 0): the integrand.",
+    "A bihelix spline needs ∫(κ′/324)^(1/3) ds ε^(−1/3) pieces to leading order (κ′ > 0): the integrand.",
     method=Method.PROOF,
     form="cbrt(kappa1/324)",
     printed="sqrt(kappa1)/cbrt(324)",
@@ -63,8 +63,7 @@ def _rounds_to(form: str, curve: str, low: str, high: str) -> Evidence:
     )
     c = leading_constant()
     ball *= (arb(c.numerator) / c.denominator).root(3)
-    shown = Fraction(form)
-    half = Fraction(1, 2) / 10 ** len(form.partition(".")[2])
+    shown, half = rounding(form, 6)
     low_end, high_end = (arb(q.numerator) / q.denominator for q in (shown - half, shown + half))
     line = f"the constant of ({curve}) on [{low}, {high}] is {ball.str(9)}, rounded to {form}"
     return Evidence(bool(low_end <= ball <= high_end), (line,))
@@ -75,7 +74,7 @@ def _rounds_to(form: str, curve: str, low: str, high: str) -> Evidence:
     "The conical spiral (t cos t, t sin t, t) on [π/6, 2π] has the complexity constant 0.851459.",
     method=Method.ENCLOSURE,
     form="0.851459",
-    wrong=("0.851460", "1.072771", "0.8514"),
+    wrong=("0.851460", "1.072771"),
 )
 def conical_constant(form: str) -> Evidence:
     """324^{−1/3} ∫|κ′|^{1/3} ds by integration in complex balls; the form must be its rounding."""
@@ -193,7 +192,7 @@ def rules_compared(form: str) -> Evidence:
         ("equal peaks", lambda arc: equioscillating_bihelix(arc, 4)),
     )
     evidence = Evidence(True)
-    for (what, rule), claimed in zip(rules, read_tuple(form, {})):
+    for (what, rule), claimed in zip(rules, read_tuple(form, {}, 3), strict=True):
         value = _error(MOMENT, float(low), float(high), rule) / ideal
         evidence &= agrees(value, sp.Float(claimed), 2.5, f"{what}, over the ideal error")
     return evidence
@@ -284,7 +283,7 @@ def spherical_helix(form: str) -> Evidence:
         rows.append(derivative(rows[-1]))
     first, second, third = zip(*rows)
     jet = SpaceJet(first, second, third)
-    claimed, ratio = read_tuple(form, {"c": c, "z": r * mu})
+    claimed, ratio = read_tuple(form, {"c": c, "z": r * mu}, 2)
     relations = [(r**2 + c**2 - 1, r), (rho**2 + mu**2 - 1, mu)]
     speed = jet.speed_squared * jet.speed_squared * jet.speed_squared
     curvature = vanishes(jet.inflection_form - claimed**2 * speed, "κ²", relations)

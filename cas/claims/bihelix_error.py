@@ -139,9 +139,9 @@ def lower_bound(form: str) -> Evidence:
 )
 def positions_of_peaks(form: str) -> Evidence:
     """The zeros of f′ other than the ends, for u = 0, counted from the left end: s = (1 + x)σ/2."""
-    claimed = read_tuple(form, {"sigma": sigma})
+    claimed = read_tuple(form, {"sigma": sigma}, 2)
     evidence = Evidence(True)
-    for side, end, place in zip(("left", "right"), (-1, 1), claimed):
+    for side, end, place in zip(("left", "right"), (-1, 1), claimed, strict=True):
         f = normal_part(side).subs(v, 0)
         (peak,) = [root for root in sp.solve(sp.diff(f, x), x) if root != end]
         evidence &= vanishes((1 + peak) * sigma / 2 - place, f"peak on the {side}")
@@ -158,7 +158,7 @@ def positions_of_peaks(form: str) -> Evidence:
 )
 def binormal_part(form: str) -> Evidence:
     """The coefficient of h³ in g, for generic torsions, at the claimed ones; f does not depend on them."""
-    left, right = read_tuple(form, {"tau": tau})
+    left, right = read_tuple(form, {"tau": tau}, 2)
     torsions = {TAU_L.as_expr(): left, TAU_R.as_expr(): right}
     evidence = Evidence(True)
     for side in ("left", "right"):

@@ -24,7 +24,7 @@ from osculant.cas.claims.proof import read, read_tuple, vanishes
 )
 def unit_junction_tangent(form: str) -> Evidence:
     """The length is computed; the slope N/T is compared with that of the derived junction tangent, to σ²."""
-    along, across = read_tuple(form, {"kappa1": kappa1, "sigma": sigma})
+    along, across = read_tuple(form, {"kappa1": kappa1, "sigma": sigma}, 2)
     unit = vanishes(along**2 + across**2 - 1, "squared length minus 1")
     tangent = spiral().junction()[1]
     derived = tangent[1][2].as_expr().subs(v, 0) * (sigma / 2) ** 2
@@ -78,17 +78,21 @@ def curvature_at_the_ends(form: str) -> Evidence:
     method=Method.PROOF,
     form="1",
     printed="4",
-    wrong=("2", "3", "0"),
+    wrong=("2", "3", "0", "0.9", "0.51"),
     erratum="The overview of section 4.1 calls a spline optimal only if its junction is within O(σ⁴) of the "
     "middle; along the curve o(σ) is enough (the equioscillating rule moves it by a multiple of σ²).",
 )
 def necessary_offset(form: str) -> Evidence:
-    """An offset u = c·hᵖ means v = c·hᵖ⁻¹: the leading error, as a multiple of its least value, must tend to
-    1 for p just above e and must not for p = e.
+    """An offset u = c·hᵖ means v = c·hᵖ⁻¹. The leading error over its least value is a function of v that is
+    continuous with the value 1 at v = 0. So it must tend to 1 for p = e + δ with every δ > 0, where v = c·hᵗ
+    must have t > 0; and it must not for p = e.
     """  # noqa: D205
-    least = read(form, {})
+    least, delta = read(form, {}), sp.Symbol("delta", positive=True)
     _, height = left_peak()
     ratio = sp.factor(height / height.subs(v, 0))
-    limits = [sp.limit(ratio.subs(v, h ** (p - 1) / 2), h, 0) for p in (least + sp.Rational(1, 2), least)]
-    line = f"limits of the relative error for offsets h^(e + 1/2)/2 and h^e/2: {limits[0]}, {limits[1]}"
-    return Evidence(bool(limits[0] == 1 and limits[1] != 1), (line,))
+    power = sp.nsimplify(least) - 1 + delta
+    smaller = vanishes(ratio.subs(v, 0) - 1, "relative error at v = 0, minus 1")
+    enough = Evidence(bool(power.is_positive), (f"offsets h^(e + δ): v is a multiple of h^({power})",))
+    at_least = sp.limit(ratio.subs(v, h ** (power - delta) / 2), h, 0)
+    line = f"limit of the relative error for the offset h^e/2: {at_least}"
+    return smaller & enough & Evidence(bool(at_least != 1), (line,))

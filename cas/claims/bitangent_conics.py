@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, vanishes
+from osculant.cas.claims.proof import positive, read, vanishes
 
 #: square roots of sin A, sin B and Q (A, B the angles of the end tangents with the chord), the chord's length
 #: and the Bézier parameter: with them all that follows is rational
@@ -26,27 +26,39 @@ def _conic(px: Any, py: Any) -> Any:
     return py**2 - 4 * Q * l0 * l2
 
 
-def _along(weight: Any, reach: Any) -> Any:
-    """F along the rational Bézier arc with that weight and wP₁ = reach·T₀."""
+def _arc(weight: Any, reach: Any) -> tuple[Any, Any]:
+    """The rational Bézier arc with that weight and wP₁ = reach·T₀."""
     b0, b1, b2 = (1 - u) ** 2, 2 * u * (1 - u), u**2
     below = b0 + weight * b1 + b2
-    return sp.cancel(_conic((b1 * reach * cos_a + b2 * c) / below, -b1 * reach * SIN_A / below))
+    return (b1 * reach * cos_a + b2 * c) / below, -b1 * reach * SIN_A / below
+
+
+def _along(weight: Any, reach: Any) -> Any:
+    """F along that arc."""
+    return sp.cancel(_conic(*_arc(weight, reach)))
 
 
 @claim(
     "R3.3-1",
     "The conics tangent to an arc at both ends are the members F = l₁² − 4Q l₀l₂ of a pencil (and the pair "
     "of "
-    "lines l₀l₂ = 0), where l₀, l₂ vanish on the tangents at the last and first point and l₁ on the chord.",
+    "lines l₀l₂ = 0), where l₀, l₂ vanish on the tangents at the last and first point, l₁ on the chord, and Q gives the weight "
+    "of R3.3-2.",
     method=Method.PROOF,
     form="l1**2 - 4*Q*l0*l2",
-    wrong=("l1**2 - 4*Q*l0*l1", "l0*l1 - 4*Q*l2**2"),
+    wrong=(
+        "l1**2 - 4*Q*l0*l1",
+        "l0*l1 - 4*Q*l2**2",
+        "l1**2 - 400*Q*l0*l2",
+        "l1**2 + 4*Q*l0*l2",
+    ),
 )
 def pencil(form: str) -> Evidence:
     """A conic with unknown coefficients vanishes at both ends and has no slope along the end tangents.
 
     These are four linear equations for six coefficients. Their solutions are a space of dimension 2, and the
-    form must lie in it for every Q and not be the same conic for all Q.
+    form must lie in it for every Q and not be the same conic for all Q. Which Q is which member is tested on
+    the Bézier arc of the weight of R3.3-2, with the distances from the lines for l₀, l₁, l₂.
     """
     p1, p2, q1, q2 = sp.symbols("p1 p2 q1 q2", positive=True)
     ratio = sp.Symbol("Q", positive=True)
@@ -68,7 +80,10 @@ def pencil(form: str) -> Evidence:
     )
     for row in matrix * vector:
         found &= vanishes(row, "a condition of tangency on the form")
-    return found
+    weight = read(WEIGHT, NAMES)
+    px, py = _arc(weight, weight * c * SIN_B / NAMES["sin_psi"])
+    distances = {"l0": cos_b * py - SIN_B * (px - c), "l1": py, "l2": cos_a * py + SIN_A * px, "Q": Q}
+    return found & vanishes(sp.cancel(read(form, distances)), "the form along the arc of weight w")
 
 
 @claim(
@@ -78,14 +93,23 @@ def pencil(form: str) -> Evidence:
     "of the end tangents with the chord and ψ = A + B is the turning.",
     method=Method.PROOF,
     form="sin_psi*sqrt(Q/(sin_A*sin_B))",
-    wrong=("sin_psi*sqrt(Q*sin_A*sin_B)", "2*sin_psi*sqrt(Q/(sin_A*sin_B))", "sqrt(Q/(sin_A*sin_B))"),
+    wrong=(
+        "sin_psi*sqrt(Q*sin_A*sin_B)",
+        "2*sin_psi*sqrt(Q/(sin_A*sin_B))",
+        "sqrt(Q/(sin_A*sin_B))",
+        "-sin_psi*sqrt(Q/(sin_A*sin_B))",
+    ),
 )
 def weight(form: str) -> Evidence:
-    """P₁ is where the end tangents meet; F vanishes along the Bézier arc with weight w exactly for this w."""
+    """P₁ is where the end tangents meet; F vanishes along the Bézier arc with weight w exactly for ±w.
+
+    The weight −w gives the rest of the conic; w has the sign of sin ψ, for the arc to be inside P₀P₁P₂ if ψ < π.
+    """
     value = read(form, NAMES)
     # P₁ = P₀ + (c sin B/ sin ψ)T₀ by the law of sines in the triangle of the end points and P₁
     reach = value * c * NAMES["sin_B"] / NAMES["sin_psi"]
-    return vanishes(_along(value, reach), "F along the Bézier arc")
+    sign = positive(sp.cancel(value / NAMES["sin_psi"]), "w/sin ψ")
+    return sign & vanishes(_along(value, reach), "F along the Bézier arc")
 
 
 @claim(

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import read, read_tuple, split, vanishes
 from osculant.cas.signs import sign_between
 
 phi = sp.Symbol("phi", real=True)
@@ -108,7 +108,7 @@ def _deviation(function: Any, order: int, form: str, name: str) -> Evidence:
 )
 def decomposition(form: str) -> Evidence:
     """The sums of the form's terms (f0 = (2k)!, f1 = (2k+1)!), put together; each gᵢ is flat at 0."""
-    first, second, third = form.split(",")
+    first, second, third = split(form, 3)
     g = (
         sp.cos(2 * phi) - _sum(first, 5),
         phi * (sp.sin(phi) - _sum(second, 3)),
@@ -197,7 +197,7 @@ def polynomial_part(form: str) -> Evidence:
 )
 def second_bracket_near_the_end(form: str) -> Evidence:
     """Difference, derivative and value computed from h and K₁; signs in balls."""
-    gap, rate, value = read_tuple(form, {"phi": phi})
+    gap, rate, value = read_tuple(form, {"phi": phi}, 3)
     function, low = phi * sp.cos(phi) + sp.sin(phi), 3 * sp.pi / 4
     evidence = vanishes(phi * function - of_turning(K1) - gap, "φh − K₁")
     evidence &= vanishes(sp.diff(function, phi) - rate, "h'") & negative(rate, low, sp.pi, "h'")
@@ -214,5 +214,5 @@ def second_bracket_near_the_end(form: str) -> Evidence:
 )
 def second_bracket(form: str) -> Evidence:
     """In balls on the whole interval; near 0 by the sixth derivative."""
-    low, high = read_tuple(form, {})
+    low, high = read_tuple(form, {}, 2)
     return negative(of_turning(K1), low, high, "K₁")

@@ -13,7 +13,7 @@ from mpmath import mp
 from osculant.cas.balls import CurveBalls, ball, constant, precision
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.displacement import zeros_inside
-from osculant.cas.claims.proof import read, read_tuple
+from osculant.cas.claims.proof import integers, read, read_tuple, split
 from osculant.cas.claims.tables import CAYLEY, CLOSED, HALF, SPIRAL, enclosed_constant
 from osculant.cas.errors import DomainError
 from osculant.cas.formula import parse_tuple
@@ -89,12 +89,13 @@ def cayley_parabolic(form: str) -> Evidence:
     "|t| < 3π/2.",
     method=Method.PROOF,
     form=f"{CLOSED[CAYLEY]['speed_squared']}, {CLOSED[CAYLEY]['inflection_form']}",
-    wrong=("16*cos(t/3)^4, 64/3*cos(t/3)^2", "4*cos(t/3)^2, 64/3*cos(t/3)^4"),
+    wrong=("16*cos(t/3)^4, 64/3*cos(t/3)^2", "4*cos(t/3)^2, 64/3*cos(t/3)^4", "16*cos(t/3)^4, 0"),
 )
 def cayley_regular(form: str) -> Evidence:
     """Both forms from two derivatives, polynomials in e^{it/3}."""
-    jet, claimed = _jet(CAYLEY), read_tuple(form, {"t": T})
-    same = [_trigonometric_zero(a - b) for a, b in zip((jet.speed_squared, jet.inflection_form), claimed)]
+    jet, claimed = _jet(CAYLEY), read_tuple(form, {"t": T}, 2)
+    derived = (jet.speed_squared, jet.inflection_form)
+    same = [_trigonometric_zero(a - b) for a, b in zip(derived, claimed, strict=True)]
     return Evidence(all(same), (f"|α̇|² and [α̇, α̈] agree with {form}: {same}",))
 
 
@@ -127,13 +128,19 @@ def cayley_turning(form: str) -> Evidence:
     "not vanish.",
     method=Method.EXACT,
     form="pi/6, 2*pi",
-    wrong=("-1, 2*pi", "0, 2*pi"),
+    wrong=("-1, 2*pi", "0, 2*pi", "1, 2", "2*pi, pi/6", "pi/6, 0"),
 )
 def spiral_monotone(form: str) -> Evidence:
-    """Both forms are polynomials in t; zeros are counted exactly on a slightly larger rational interval."""
+    """Both forms are polynomials in t; zeros are counted exactly on a slightly larger rational interval.
+
+    The form is an interval: it must contain the one of section 3.7.1.
+    """
     jet = _jet(SPIRAL[0])
     polynomials = [sp.Poly(sp.expand(sp.simplify(z)), T) for z in (jet.parabolic_form, jet.sextactic_form)]
-    low, high = read_tuple(form, {})
+    low, high = read_tuple(form, {}, 2)
+    wanted = read_tuple(f"{SPIRAL[1]}, {SPIRAL[2]}", {}, 2)
+    if not (low <= wanted[0] and wanted[1] <= high):
+        return Evidence(False, (f"[{low}, {high}] does not contain [{wanted[0]}, {wanted[1]}]",))
     outer = sp.floor(low * 100) / 100, sp.ceiling(high * 100) / 100
     counts = [zeros_inside(p.as_expr(), T, *outer) for p in polynomials]
     line = f"n = {polynomials[0].as_expr()} and m = {polynomials[1].as_expr()} have {counts} zeros on {outer}"
@@ -147,12 +154,13 @@ def spiral_monotone(form: str) -> Evidence:
     form="-3/4*pi, 3/4*pi",
     printed="-3/4*pi, 4/3*pi",
     wrong=("-2/3*pi, 2/3*pi",),
-    erratum="Section 3.7.2 prints −3π/4 ≤ t ≤ 4π/3, though it then splits the arc into [−3π/4, 0] and [0, "
-    "3π/4].",
+    erratum="Section 3.7.2 seems to print −3π/4 ≤ t ≤ 4π/3, though it then splits the arc into [−3π/4, 0] and "
+    "[0, 3π/4]: unless 3π/4 was printed and the text has its fraction the wrong way round.",
+    uncertain=True,
 )
 def cayley_interval(form: str) -> Evidence:
     """The parabolas of table 3.3 follow from (3.17) over both parts of the interval, split at t = 0."""
-    low, high = form.split(",")
+    low, high = split(form, 2)
     with precision(64):
         parts = [enclosed_constant(CAYLEY, *ends, "parabola") for ends in ((low, "0"), ("0", high))]
         counts = [
@@ -193,7 +201,7 @@ def cayley_two_conics(form: str) -> Evidence:
         f"best conic of a half: w = {mp.nstr(weight, 3)}, error {mp.nstr(error, 9)}; |d| < 0.1 in balls: "
         f"{enough}"
     )
-    return Evidence(enough and int(form) == 2, (line,))
+    return Evidence(enough and integers(form, 1) == (2,), (line,))
 
 
 def displaced_less(arc: tuple[str, str, str], member: str, bound: str) -> bool:
@@ -244,14 +252,16 @@ def _frame(curve: CurveBalls, t: Any) -> tuple[Any, Any]:
     method=Method.NUMERICAL,
     form="8",
     printed="6",
-    wrong=("10", "4"),
+    wrong=("10", "4", "9"),
     reason="the areas are computed to 9 digits, not enclosed; the distance to ε is a thousand times larger.",
     erratum="Table 3.4 gives 6 parabolas at ε = 1e-1; three on a half have the total area 0.10536 > 0.1.",
 )
 def cayley_parabolas(form: str) -> Evidence:
     """The total area of m parabolas of equal area on a half, for m = half of the form, and for one less."""
     with mp.workdps(15):
-        count = int(form) // 2
+        ((count, odd),) = (divmod(number, 2) for number in integers(form, 1))
+        if odd:
+            return Evidence(False, ("the halves are mirror images: both need as many parabolas",))
         totals = {
             m: equal_area_total(CAYLEY, mp.mpf(0), 3 * mp.pi / 4, m) for m in {max(count - 1, 2), count}
         }

@@ -12,7 +12,7 @@ import sympy as sp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.generalised_helices import BETA, KAPPAB, N0, T0, TAUB, V0, W0, s
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import positive, read, read_tuple, split, vanishes
 from osculant.cas.claims.vectors import read_vectors, same
 from osculant.cas.space_curves import SpaceJet, Vector3, add, cross, dot, scale, subtract
 
@@ -69,7 +69,7 @@ def integrals(form: str) -> Evidence:
     """∫₀ˢ cos βu du and ∫₀ˢ sin βu du."""
     derived = [sp.integrate(f(BETA * s), (s, 0, s)) for f in (sp.cos, sp.sin)]
     evidence = Evidence(True)
-    for a, b, name in zip(read_tuple(form, SCALARS), derived, "CS", strict=True):
+    for a, b, name in zip(read_tuple(form, SCALARS, 2), derived, "CS", strict=True):
         evidence &= vanishes(_rational(a - b), name)
     return evidence
 
@@ -81,7 +81,8 @@ def integrals(form: str) -> Evidence:
     method=Method.PROOF,
     form="s*taub*V0 + kappab/beta*(sin(beta*s)*W0 + (1 - cos(beta*s))*N0)",
     printed="s*taub*V0 + kappab/beta*sin(beta*s)*W0 + (1 - cos(beta*s))*N0",
-    erratum="A bracket is missing: the factor κ̄/β belongs to both terms.",
+    erratum="A bracket seems to be missing: the factor κ̄/β belongs to both terms.",
+    uncertain=True,
     wrong=(
         "s*taub*V0 + kappab/beta*(sin(beta*s)*W0 - (1 - cos(beta*s))*N0)",
         "s*taub*V0 + kappa/beta*(sin(beta*s)*W0 + (1 - cos(beta*s))*N0)",
@@ -90,7 +91,7 @@ def integrals(form: str) -> Evidence:
 )
 def circular_helix(form: str) -> Evidence:
     """Frame at 0, unit speed, κ = κ̄β and usual torsion −τ̄β from the derivatives of the form's curve."""
-    return _is_the_helix(read_vectors(form, SCALARS, VECTORS)[0])
+    return _is_the_helix(read_vectors(form, SCALARS, VECTORS, 1)[0])
 
 
 @claim(
@@ -98,13 +99,20 @@ def circular_helix(form: str) -> Evidence:
     "The axis is the line through p₀ + κ/(κ² + τ²) N₀ with direction V₀.",
     method=Method.PROOF,
     form="kappa/(kappa**2 + tau**2)*N0, V0",
-    wrong=("-kappa/(kappa**2 + tau**2)*N0, V0", "N0/kappa, V0", "kappa/(kappa**2 + tau**2)*N0, W0"),
+    wrong=(
+        "-kappa/(kappa**2 + tau**2)*N0, V0",
+        "N0/kappa, V0",
+        "kappa/(kappa**2 + tau**2)*N0, W0",
+        "kappa/(kappa**2 + tau**2)*N0, 0*V0",
+    ),
 )
 def axis(form: str) -> Evidence:
     """The distance of α(s) from the line does not depend on s."""
-    point, direction = read_vectors(form, SCALARS, VECTORS)
-    arm = subtract(HELIX, point)
-    distance = dot(arm, arm) - dot(arm, direction) ** 2 / dot(direction, direction)
+    point, direction = read_vectors(form, SCALARS, VECTORS, 2)
+    arm, size = subtract(HELIX, point), dot(direction, direction)
+    if size == 0:
+        return Evidence(False, ("the direction is 0",))
+    distance = dot(arm, arm) - dot(arm, direction) ** 2 / size
     return vanishes(_rational(sp.diff(distance, s)), "d/ds of the squared distance from the line")
 
 
@@ -113,14 +121,20 @@ def axis(form: str) -> Evidence:
     "The radius of the cylinder that carries the helix is κ/(κ² + τ²).",
     method=Method.PROOF,
     form="kappa/(kappa**2 + tau**2)",
-    wrong=("1/kappa", "kappa/sqrt(kappa**2 + tau**2)", "tau/(kappa**2 + tau**2)"),
+    wrong=(
+        "1/kappa",
+        "kappa/sqrt(kappa**2 + tau**2)",
+        "tau/(kappa**2 + tau**2)",
+        "-kappa/(kappa**2 + tau**2)",
+    ),
 )
 def radius(form: str) -> Evidence:
     """The projection along V₀ is a circle of constant curvature: its radius is 1/curvature."""
     plane = [subtract(v, scale(dot(v, V0), V0)) for v in (TANGENT, _rate(TANGENT))]
     turn = cross(*plane)
     squared = dot(plane[0], plane[0]) ** 3 / dot(turn, turn)
-    return vanishes(_rational(read(form, SCALARS) ** 2 - squared), "radius²")
+    stated = read(form, SCALARS)
+    return positive(stated, "the radius") & vanishes(_rational(stated**2 - squared), "radius²")
 
 
 @claim(
@@ -136,7 +150,7 @@ def radius(form: str) -> Evidence:
 )
 def helix_from_tangent(form: str) -> Evidence:
     """As lemma 4.2.1, with T₀ = τ̄V₀ + κ̄W₀ and T₀×V₀ = κ̄N₀."""
-    return _is_the_helix(read_vectors(form, SCALARS, VECTORS)[0])
+    return _is_the_helix(read_vectors(form, SCALARS, VECTORS, 1)[0])
 
 
 @claim(
@@ -151,7 +165,7 @@ def helix_from_tangent(form: str) -> Evidence:
 )
 def tangent(form: str) -> Evidence:
     """The derivative of the helix of lemma 4.2.1."""
-    return agree(_rate(HELIX), read_vectors(form, SCALARS, VECTORS)[0], "T(s)")
+    return agree(_rate(HELIX), read_vectors(form, SCALARS, VECTORS, 1)[0], "T(s)")
 
 
 @claim(
@@ -166,7 +180,7 @@ def tangent(form: str) -> Evidence:
 )
 def tangent_in_frame(form: str) -> Evidence:
     """The derivative of lemma 4.2.1, which has frame {T₀, N₀} at 0; unit length; constant angle with V₀."""
-    (stated,) = read_vectors(form, SCALARS, VECTORS)
+    (stated,) = read_vectors(form, SCALARS, VECTORS, 1)
     evidence = agree(_rate(HELIX), stated, "α'(s)") & vanishes(_rational(dot(stated, stated) - 1), "|T|²")
     return evidence & _is_the_helix(HELIX)
 
@@ -176,15 +190,17 @@ def tangent_in_frame(form: str) -> Evidence:
     "The tangent indicatrix of a helix is a circle on the unit sphere with centre τ̄V₀ and radius κ̄.",
     method=Method.PROOF,
     form="taub*V0, kappab",
-    wrong=("taub*V0, kappa", "kappab*V0, taub", "-taub*V0, kappab"),
+    wrong=("taub*V0, kappa", "kappab*V0, taub", "-taub*V0, kappab", "taub*V0, -kappab"),
 )
 def indicatrix(form: str) -> Evidence:
     """|T(s) − centre| is the radius for all s, and T(s) − centre stays perpendicular to V₀."""
-    centre_text, radius_text = form.split(",")
-    (centre,) = read_vectors(centre_text, SCALARS, VECTORS)
+    centre_text, radius_text = split(form, 2)
+    (centre,) = read_vectors(centre_text, SCALARS, VECTORS, 1)
     arm = subtract(TANGENT, centre)
     size = read(radius_text, SCALARS)
-    on_circle = vanishes(_rational(dot(arm, arm) - size**2), "|T(s) − centre|²")
+    on_circle = positive(size, "the radius") & vanishes(
+        _rational(dot(arm, arm) - size**2), "|T(s) − centre|²"
+    )
     return on_circle & vanishes(_rational(dot(arm, V0)), "⟨T(s) − centre, V₀⟩")
 
 
@@ -196,12 +212,13 @@ def indicatrix(form: str) -> Evidence:
     printed="N0",
     erratum="The plane through T₀ is called one with direction N₀; its normal is V₀, and containing the "
     "direction N₀ does not determine it.",
-    wrong=("W0", "T0", "V0 + N0"),
+    wrong=("W0", "T0", "V0 + N0", "0*V0"),
 )
 def indicatrix_plane(form: str) -> Evidence:
     """⟨T(s) − T₀, normal⟩ = 0 for all s, for the form's normal."""
-    (normal,) = read_vectors(form, SCALARS, VECTORS)
-    return vanishes(_rational(dot(subtract(TANGENT, T0), normal)), "⟨T(s) − T₀, normal⟩")
+    (normal,) = read_vectors(form, SCALARS, VECTORS, 1)
+    there = Evidence(any(sp.simplify(part) != 0 for part in normal), (f"the normal is {normal}",))
+    return there & vanishes(_rational(dot(subtract(TANGENT, T0), normal)), "⟨T(s) − T₀, normal⟩")
 
 
 @claim(
@@ -214,7 +231,7 @@ def indicatrix_plane(form: str) -> Evidence:
 def plane_circle(form: str) -> Evidence:
     """(4.2) with τ̄ = 0, κ̄ = 1."""
     flat = {sp.Symbol("m", positive=True): 1}  # κ̄ = 1, τ̄ = 0
-    (stated,) = read_vectors(form, SCALARS, VECTORS)
+    (stated,) = read_vectors(form, SCALARS, VECTORS, 1)
     found, expected = ([sp.sympify(a).subs(flat) for a in v] for v in (TANGENT, stated))
     return agree(found, expected, "T(s) for τ̄ = 0")
 
@@ -225,7 +242,7 @@ def plane_circle(form: str) -> Evidence:
     "⟨α(t) − α(s), T(t) − T(s)⟩ = 0.",
     method=Method.PROOF,
     form="end - start",
-    wrong=("end + start", "end - 2*start"),
+    wrong=("end + start", "end - 2*start", "start - start"),
 )
 def equal_angles(form: str) -> Evidence:
     """⟨α(t) − α(s), T(t)⟩ and ⟨α(t) − α(s), T(s)⟩ for the helix of lemma 4.2.1."""
@@ -238,4 +255,7 @@ def equal_angles(form: str) -> Evidence:
     curve, direction = ([sp.sympify(e).subs(s, t) for e in v] for v in (HELIX, TANGENT))
     chord = subtract(curve, HELIX)
     values = {"end": dot(chord, direction), "start": dot(chord, TANGENT)}
-    return vanishes(read(form, values).subs(rational), "⟨α(t) − α(s), T(t) − T(s)⟩")
+    symbols = {name: sp.Symbol(name) for name in values}
+    form_itself = read(form, symbols)
+    says = Evidence(sp.expand(form_itself) != 0, (f"a relation of both products: {form_itself} = 0",))
+    return says & vanishes(read(form, values).subs(rational), "⟨α(t) − α(s), T(t) − T(s)⟩")

@@ -75,6 +75,9 @@ class Claim:
         erratum: what is wrong in print, in one sentence; for the list of errata.
         open: whether the statement stays a conjecture even if the evidence supports it.
         slow: whether the check takes more than a few seconds; left out unless asked for.
+        uncertain: whether the printed form is the reading of a damaged text, one that loses large brackets,
+            tall bars and overlines, so that the erratum may be the damage's and not the thesis's.
+        given: the names of the claims that the check takes for granted.
     """
 
     name: str
@@ -88,6 +91,8 @@ class Claim:
     erratum: str = ""
     open: bool = False
     slow: bool = False
+    uncertain: bool = False
+    given: tuple[str, ...] = ()
 
     @property
     def chapter(self) -> str:
@@ -115,6 +120,8 @@ class Claim:
             "wrong": list(self.wrong),
             "open": self.open,
             "slow": self.slow,
+            "uncertain": self.uncertain,
+            "given": list(self.given),
             "derivation": self.derivation,
         }
 
@@ -193,12 +200,16 @@ def claim(
     erratum: str = "",
     open: bool = False,
     slow: bool = False,
+    uncertain: bool = False,
+    given: Sequence[str] = (),
 ) -> Callable[[Check], Check]:
     """Register the decorated check as a claim; the arguments are those of `Claim`.
 
     Raises DomainError for a claim that could not fail (no wrong form), numerical evidence without a reason,
-    an erratum without its sentence, or a name used twice.
+    an erratum without its sentence, an uncertain print where none is stated, or a name used twice.
     """
+    if uncertain and printed is None:
+        raise DomainError(f"Claim {name!r} is uncertain of a printed form it does not state: add it.")
     if not wrong or (method is Method.NUMERICAL and not reason) or (printed is not None and not erratum):
         raise DomainError(f"Claim {name!r} lacks a wrong form, its reason or its erratum: add it.")
 
@@ -207,7 +218,19 @@ def claim(
             places = f"{_REGISTRY[name].check.__module__} and {check.__module__}"
             raise DomainError(f"Claim {name!r} is registered twice, in {places}: rename one.")
         _REGISTRY[name] = Claim(
-            name, statement, method, check, form, printed, tuple(wrong), reason, erratum, open, slow
+            name=name,
+            statement=statement,
+            method=method,
+            check=check,
+            form=form,
+            printed=printed,
+            wrong=tuple(wrong),
+            reason=reason,
+            erratum=erratum,
+            open=open,
+            slow=slow,
+            uncertain=uncertain,
+            given=tuple(given),
         )
         return check
 

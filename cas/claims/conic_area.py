@@ -81,7 +81,7 @@ def area_formula(form: str) -> Evidence:
 )
 def area_displays(form: str) -> Evidence:
     """(3.20) for the series of γ in its affine frame, and for β with the offset added; P drops out."""
-    claimed = read_tuple(form, {"rho": rho, "k": k, "Q": Q})
+    claimed = read_tuple(form, {"rho": rho, "k": k, "Q": Q}, 2)
     gamma, beta = areas()
     return vanishes(claimed[0] - gamma, "A_γ") & vanishes(claimed[1] - beta, "A_β")
 
@@ -157,7 +157,7 @@ def two_moons(form: str) -> Evidence:
 )
 def moon_polynomials(form: str) -> Evidence:
     """∫x²(1 − x)²(c − x) dx from 0 to c, and of the opposite from c to 1."""
-    claimed = read_tuple(form, {"c": c})
+    claimed = read_tuple(form, {"c": c}, 2)
     result = Evidence(True)
     for value, derived, name in zip(claimed, moons(c), ("first", "second"), strict=True):
         result &= vanishes(value / 60 - derived, f"{name} moon")

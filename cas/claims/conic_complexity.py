@@ -13,7 +13,7 @@ from osculant.cas.asymptotics.optimal_conic import mean_end_curvature, optimal_c
 from osculant.cas.asymptotics.short_arcs import arc_error
 from osculant.cas.canonical import euclidean_arc
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import positive, read, read_tuple, rounding, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.invariants import PlaneJet
 from osculant.cas.leading import canonical_coefficients
@@ -45,10 +45,12 @@ def equal_error(form: str, primitive: str, exponent: int = 1) -> Evidence:
     """Whether the form, to that power, is e₀ of the primitive, for k or dk/dr positive."""
     k, kappa, dk_dr, dk_ds = (sp.Symbol(s, positive=True) for s in ("k", "kappa", "dk_dr", "dk_ds"))
     text = {"k": k, "kappa": kappa, "dk_dr": dk_dr, "dk_ds": dk_ds}
-    expression = sp.powsimp(sp.expand_power_base(read(form, text) ** exponent))
+    stated = read(form, text)
+    expression = sp.powsimp(sp.expand_power_base(stated**exponent))
     values = affine_symbols()
     inserted = expression.subs({symbol: values[name] for name, symbol in text.items()}, simultaneous=True)
-    return vanishes(inserted - derived_error(primitive), f"leading error of a {primitive}")
+    identity = vanishes(inserted - derived_error(primitive), f"leading error of a {primitive}")
+    return identity & positive(stated, "the form")
 
 
 @claim(
@@ -167,7 +169,7 @@ def conic_lobes(form: str) -> Evidence:
 
     Moving z to the right raises the first lobe and lowers the second, so no other z makes them equal.
     """
-    height, crossing = read_tuple(form, {})
+    height, crossing = read_tuple(form, {}, 2)
     x = sp.Symbol("x")
     shape = x**2 * (1 - x) ** 2 * (x - crossing)
     peaks = [p for p in sp.solve(sp.diff(shape, x), x) if p not in (0, 1)]
@@ -215,13 +217,14 @@ def mean_curvature(form: str) -> Evidence:
 
 @claim(
     "(3.17)",
-    "N(ε) = 128^(−1/4) ∫|k|^(1/4) κ^(5/12) ds ε^(−1/4)(1 + O(ε^(1/4))) for parabolic splines.",
+    "N(ε) = 128^(−1/4) ∫|k|^(1/4) κ^(5/12) ds ε^(−1/4), to leading order, for parabolic splines.",
     method=Method.PROOF,
     form="128^(-1/4)*k^(1/4)*kappa^(5/12)",
     wrong=(
         "128^(-1/4)*k^(1/4)*kappa^(5/3)",
         "128^(-1/5)*k^(1/4)*kappa^(5/12)",
         "128^(-1/4)*k^(1/5)*kappa^(5/12)",
+        "-128^(-1/4)*k^(1/4)*kappa^(5/12)",
     ),
 )
 def parabola_complexity(form: str) -> Evidence:
@@ -238,7 +241,7 @@ CONIC_ERRATUM = (
 
 @claim(
     "(3.18)",
-    "N(ε) = (2000√5)^(−1/5) ∫|dk/dr|^(1/5) κ^(2/5) ds ε^(−1/5)(1 + O(ε^(1/5))) for conic splines.",
+    "N(ε) = (2000√5)^(−1/5) ∫|dk/dr|^(1/5) κ^(2/5) ds ε^(−1/5), to leading order, for conic splines.",
     method=Method.PROOF,
     form="(2000*sqrt(5))^(-1/5)*dk_dr^(1/5)*kappa^(2/5)",
     printed="(2000*sqrt(5))^(-1/5)*dk_ds^(1/5)*kappa^(2/5)",
@@ -302,5 +305,5 @@ def _rounds_to(form: str, primitive: str, order: int) -> Evidence:
     from osculant.cas.leading import error_constant
 
     value = error_constant(primitive).root(order)
-    half_unit = arb(10) ** -len(form.partition(".")[2]) / 2
-    return Evidence(bool(abs(value - arb(form)) < half_unit), (f"the constant is {value.str(12)}",))
+    shown, half_unit = ((arb(q.numerator) / q.denominator) for q in rounding(form, 3))
+    return Evidence(bool(abs(value - shown) < half_unit), (f"the constant is {value.str(12)}",))

@@ -71,7 +71,13 @@ def conic_curvature(form: str) -> Evidence:
     "A curve of constant affine curvature k is a conic: x² + ky² = 2y in its affine frame.",
     method=Method.PROOF,
     form="x**2 + k*y**2 - 2*y",
-    wrong=("x**2 - k*y**2 - 2*y", "x**2 + k*y**2 - y", "x**2 + y**2 - 2*y"),
+    wrong=(
+        "x**2 - k*y**2 - 2*y",
+        "x**2 + k*y**2 - y",
+        "x**2 + y**2 - 2*y",
+        "0",
+        "(x**2 + k*y**2 - 2*y)**2",
+    ),
 )
 def constant_curvature(form: str) -> Evidence:
     """(2.5), γ‴ = −kγ′, gives along t₀ and n₀ x′ = 1 − ky, y′ = x from the start x = y = 0.
@@ -85,9 +91,12 @@ def constant_curvature(form: str) -> Evidence:
     solved = all(c == 0 for series in residues for c in series.coefficients)
     line = f"x′ = 1 − ky and y′ = x hold for the series of the arc up to order {TERMS - 2}"
     stated = read(form, {"x": X, "y": Y, "k": k.as_expr()})
+    degree = sp.Poly(stated, X, Y).total_degree()  # of the equation 0 = 0 it is −∞
+    conic = Evidence(degree == 2, (f"the equation is of degree {degree}",))
     rate = sp.diff(stated, X) * (1 - k.as_expr() * Y) + sp.diff(stated, Y) * X
     return (
         Evidence(solved, (line,))
+        & conic
         & vanishes(rate, "the left side's derivative along the curve")
         & vanishes(stated.subs({X: 0, Y: 0}), "its value at the start")
     )
@@ -130,10 +139,21 @@ def type_by_sign(form: str) -> Evidence:
     "An equation and its multiple by λ ≠ 0 have the same S·(T²)^(-1/3), also for λ < 0.",
     method=Method.PROOF,
     form="S*(T**2)**(-1/3)",
-    wrong=("S*(T**2)**(-1/2)", "S*(T**2)**(-1/3)*T"),
+    wrong=(
+        "S*(T**2)**(-1/2)",
+        "S*(T**2)**(-1/3)*T",
+        "0",
+        "7",
+        "2*S*(T**2)**(-1/3)",
+        "-S*(T**2)**(-1/3)",
+        "S**3*T**(-2)",
+    ),
 )
 def homogeneous(form: str) -> Evidence:
-    """S and T of the multiplied equation are computed as λ²S and λ³T, and put into the form with T = τ³."""
+    """S and T of the multiplied equation are computed as λ²S and λ³T, and put into the form with T = τ³.
+
+    That the form is k at all is seen on the circles x² + y² = w⁶ of any radius w³: k from their jet, φ = w².
+    """
     factor, tau, s = sp.symbols("lambda tau S", real=True)
     scaled = {g: factor * g for g in COEFFICIENTS}
     degrees = [(S, factor**2, "S"), (T, factor**3, "T")]
@@ -142,7 +162,14 @@ def homogeneous(form: str) -> Evidence:
         for q, power, name in degrees
     ]
     multiple = read(form, {"S": factor**2 * s, "T": (factor * tau) ** 3})
-    return all_of([*found, vanishes(multiple - read(form, {"S": s, "T": tau**3}), "k of the multiple")])
+    found.append(vanishes(multiple - read(form, {"S": s, "T": tau**3}), "k of the multiple"))
+    w, u = sp.Symbol("w", positive=True), sp.Symbol("u", real=True)
+    circle = {a: 1, b: 0, c: 1, d: 0, e: 0, f: -(w**6)}
+    first, second = ([sp.diff(w**3 * g(u), u, i) for i in range(5)] for g in (sp.cos, sp.sin))
+    jet = PlaneJet(first, second, lambda *_: w**2)
+    found.append(vanishes(jet.inflection_form - w**6, "[α̇, α̈] of the circle"))
+    stated = read(form, {"S": S.subs(circle), "T": T.subs(circle)})
+    return all_of([*found, vanishes(stated - jet.affine_curvature, "k of the circle")])
 
 
 def _image() -> tuple[PlaneJet, Any]:

@@ -10,7 +10,7 @@ import sympy as sp
 from mpmath import mp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, vanishes
+from osculant.cas.claims.proof import integers, read, split, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve, root_between
 
@@ -119,7 +119,7 @@ def side_by_side(form: str) -> Evidence:
     meeting = sp.solve([l0, l2], [x, y])
     names = {"P0": (sp.S.Zero, sp.S.Zero), "P2": (c, sp.S.Zero), "P1": (meeting[x], meeting[y])}
     try:
-        claimed = {names[name.strip()] for name in form.split(",")}
+        claimed = {names[name] for name in split(form, form.count(",") + 1)}
     except KeyError as error:
         raise DomainError(f"No point is called {error}: use P0, P1 or P2.") from error
     line = f"common points {sorted(common, key=str)} with the chord from (0, 0) to (c, 0)"
@@ -133,7 +133,7 @@ def side_by_side(form: str) -> Evidence:
     "with max d = −min d.",
     method=Method.PROOF,
     form="dmax + dmin",
-    wrong=("dmax + 2*dmin", "2*dmax + dmin", "dmax"),
+    wrong=("dmax + 2*dmin", "2*dmax + dmin", "dmax", "dmax^2 - dmin^2"),
 )
 def equioscillation(form: str) -> Evidence:
     """Let e = max d = d(u₊) = −min d = −d(u₋) for the member Q.
@@ -141,8 +141,13 @@ def equioscillation(form: str) -> Evidence:
     By R3.3-7, proved again here, d grows strictly with Q (or falls) at every point. So any other member has
     d(u₊) > e or d(u₋) < −e: its distance is larger. There is such a member since max d + min d is continuous
     in Q and has both signs at the members that cross the arc near one end or the other. The form is put to
-    the test on an arc: the member where it vanishes must be better than its neighbours.
+    the test on one arc, and has to be linear: the member where it vanishes must be better than its
+    neighbours.
     """
+    names = {name: sp.Symbol(name) for name in ("dmax", "dmin")}
+    itself = read(form, names)
+    if not (itself.is_polynomial() and sp.Poly(itself, *names.values()).homogeneous_order() == 1):
+        return Evidence(False, (f"{itself} is no linear form of max d and min d",))
     monotone = displacement_by_q("4*f0*f2/root")
     with mp.workdps(25):
         pencil = BitangentPencil(ReferenceCurve(SPIRAL), 1, 2)
@@ -156,7 +161,7 @@ def equioscillation(form: str) -> Evidence:
         error = pencil.hausdorff(q)
         worse = [pencil.hausdorff(q * (1 + mp.mpf(10) ** -k * s)) for k in (2, 4, 6) for s in (1, -1)]
     line = (
-        f"Archimedean spiral on [1, 2]: Q = {mp.nstr(q, 15)}, distance {mp.nstr(error, 15)}; "
+        f"instance, Archimedean spiral on [1, 2]: Q = {mp.nstr(q, 15)}, distance {mp.nstr(error, 15)}; "
         f"members 1e-6 to 1e-2 away on both sides: {mp.nstr(min(worse), 15)} at least"
     )
     return monotone & Evidence(bool(error < min(worse)), (line,))
@@ -247,7 +252,7 @@ def five_points(form: str) -> Evidence:
             most = max(most, zeros_inside(along, x, sp.Rational(-1), sp.Rational(1)))
             conics += 1
     line = f"{conics} conics through five points of {len(GRAPHS)} graphs on [−1, 1]: at most {most} zeros"
-    return Evidence(most == int(form), (line,))
+    return Evidence((most,) == integers(form, 1), (line,))
 
 
 def _monomials(x: Any, y: Any) -> list[Any]:

@@ -60,7 +60,7 @@ def veronese_determinant(form: str) -> Evidence:
     It must be a polynomial of degree at most 2, not 0 identically, and 0 at the five points.
     """
     source, evidence = random.Random(32), Evidence(True)
-    image = read_tuple(form, {"x": X, "y": Y})
+    image = read_tuple(form, {"x": X, "y": Y}, 6)
     for _ in range(3):
         points = [tuple(sp.Rational(source.randint(-30, 30), 7) for _ in "xy") for _ in range(POINTS)]
         rows = sp.Matrix([[e.subs({X: p, Y: q}, simultaneous=True) for e in image] for p, q in points])

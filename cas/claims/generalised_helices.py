@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import positive, read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors, same
 from osculant.cas.invariants import PlaneJet
 from osculant.cas.space_curves import SpaceJet, Vector3, add, cross, dot, scale, subtract
@@ -89,7 +89,7 @@ def quotients_of_a_generalised_helix(form: str) -> Evidence:
     evidence = Evidence(True)
     for r, what in ((size, "τ > 0"), (-size, "τ < 0")):
         beta = k * sp.sqrt(1 + r**2)
-        for stated, expected in zip(read_tuple(form, {"r": r}), (k / beta, r * k / beta), strict=True):
+        for stated, expected in zip(read_tuple(form, {"r": r}, 2), (k / beta, r * k / beta), strict=True):
             evidence &= vanishes(stated - expected, what)
     return evidence
 
@@ -99,15 +99,15 @@ def quotients_of_a_generalised_helix(form: str) -> Evidence:
     "C = ∫cos φ and S = ∫sin φ, φ = ∫β: the plane curve (C, S) has unit speed and curvature β = √(κ² + τ²).",
     method=Method.PROOF,
     form="1, beta",
-    wrong=("1, kappa", "beta, 1", "1, -beta"),
+    wrong=("1, kappa", "beta, 1", "1, -beta", "-1, beta"),
 )
 def base_curve(form: str) -> Evidence:
     """Speed and curvature of the jet (C, S), (cos φ, sin φ), (−β sin φ, β cos φ)."""
     first = by_arc_length(C), by_arc_length(S)
     second = by_arc_length(first[0]), by_arc_length(first[1])
     jet = PlaneJet((C, first[0], second[0]), (S, first[1], second[1]))
-    speed, curvature = read_tuple(form, SCALARS)
-    unit = vanishes(rational(jet.speed_squared - speed**2), "|(C, S)'|²")
+    speed, curvature = read_tuple(form, SCALARS, 2)
+    unit = positive(speed, "the speed") & vanishes(rational(jet.speed_squared - speed**2), "|(C, S)'|²")
     return unit & vanishes(rational(jet.inflection_form / jet.speed_squared - curvature), "curvature")
 
 
@@ -126,7 +126,7 @@ def helix_motion(form: str) -> Evidence:
     companion = cross(axis, space.N)
     straight = {space.taus[1]: space.tau * space.kappas[1] / space.kappa}
     found = [tuple(a.subs(straight) for a in map(sp.sympify, space.moved(v))) for v in (space.N, companion)]
-    stated = read_vectors(form, {"beta": space.beta}, {"W": companion, "N": space.N})
+    stated = read_vectors(form, {"beta": space.beta}, {"W": companion, "N": space.N}, 2)
     return same(found, stated, "N', W'", [space.RELATION])
 
 
@@ -142,7 +142,7 @@ def helix_motion(form: str) -> Evidence:
 )
 def frame_along_a_helix(form: str) -> Evidence:
     """Inserted into (2.19), and the initial values; linear differential equations have one solution."""
-    w, n = read_vectors(form, SCALARS, VECTORS)
+    w, n = read_vectors(form, SCALARS, VECTORS, 2)
     evidence = _agree(rate(w), scale(phis[1], n), "W' = βN") & _agree(rate(n), scale(-phis[1], w), "N' = −βW")
     for v, expected, name in ((w, W0, "W(0)"), (n, N0, "N(0)")):
         start = tuple(sp.sympify(a).subs(START) for a in v)
@@ -156,7 +156,9 @@ def frame_along_a_helix(form: str) -> Evidence:
     method=Method.PROOF,
     form="s*taub*V0 + kappab*(C*W0 + S*N0)",
     printed="s*taub*V0 + kappa*C*W0 + S*N0",
-    erratum="The factor before C(s)W₀ + S(s)N₀ is the constant κ̄ = κ/β, not the function κ(s).",
+    erratum="The factor before C(s)W₀ + S(s)N₀ seems to be the function κ(s), without a bracket; it is the "
+    "constant κ̄ = κ/β.",
+    uncertain=True,
     wrong=(
         "s*taub*V0 + kappab*(C*W0 - S*N0)",
         "s*taub*V0 + C*W0 + S*N0",
@@ -169,7 +171,7 @@ def generalised_helix(form: str) -> Evidence:
 
     By the fundamental theorem of space curves there is one such curve.
     """
-    (curve,) = read_vectors(form, SCALARS, VECTORS)
+    (curve,) = read_vectors(form, SCALARS, VECTORS, 1)
     return _is_the_helix(curve)
 
 
@@ -201,7 +203,7 @@ def constant_slope(form: str) -> Evidence:
 )
 def generalised_helix_from_tangent(form: str) -> Evidence:
     """As lemma 2.3.4, with T₀ = τ̄V₀ + κ̄W₀; also the base curve lies in the plane perpendicular to V₀."""
-    (curve,) = read_vectors(form, SCALARS, VECTORS)
+    (curve,) = read_vectors(form, SCALARS, VECTORS, 1)
     base = vanishes(dot(subtract(curve, scale(s * TAUB, V0)), V0), "⟨γ(s) − α(0), V₀⟩")
     return _is_the_helix(curve) & base
 
@@ -219,7 +221,7 @@ def generalised_helix_from_tangent(form: str) -> Evidence:
 def tangent_of_a_generalised_helix(form: str) -> Evidence:
     """The derivative of the curve of corollary 2.3.5.1."""
     curve = add(scale(s * TAUB, V0), scale(C, subtract(T0, scale(TAUB, V0))), scale(S, cross(T0, V0)))
-    return _agree(rate(curve), read_vectors(form, SCALARS, VECTORS)[0], "T(s)")
+    return _agree(rate(curve), read_vectors(form, SCALARS, VECTORS, 1)[0], "T(s)")
 
 
 @claim(
@@ -232,7 +234,7 @@ def tangent_of_a_generalised_helix(form: str) -> Evidence:
 def helix_frame(form: str) -> Evidence:
     """Components along {N₀, W₀, V₀}, and the three inner products."""
     along, across = subtract(T0, scale(TAUB, V0)), cross(T0, V0)
-    evidence = same([along, across], read_vectors(form, SCALARS, VECTORS), "T₀ − τ̄V₀, T₀×V₀")
+    evidence = same([along, across], read_vectors(form, SCALARS, VECTORS, 2), "T₀ − τ̄V₀, T₀×V₀")
     for a, b in ((V0, along), (V0, across), (along, across)):
         evidence &= vanishes(dot(a, b), "inner product")
     return evidence

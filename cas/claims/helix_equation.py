@@ -30,7 +30,6 @@ from osculant.cas.claims.helix_segments import (
 )
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors
-from osculant.cas.errors import DomainError
 from osculant.cas.geometry.short_helices import short_helix
 from osculant.cas.space_curves import add, cross, dot
 
@@ -45,8 +44,11 @@ def _with_sign(expression: Any, sign: int) -> Any:
 
 
 def _solves(quotient: str, function: str) -> Evidence:
-    """Whether the function of φ is the quotient of inner products q, g at the solutions of both signs."""
-    q, g = sp.symbols("q g", real=True)
+    """Whether the function of φ is the quotient of inner products q, g at the solutions of both signs.
+
+    βg is 2D/(1 − cos φ) by (4.9), and D > 0 for arccos t₀ < φ ≤ π (B.1-14): so g > 0, and |g| is g.
+    """
+    q, g = sp.Symbol("q", real=True), sp.Symbol("g", positive=True)
     stated = half_angles(read(function, {"phi": phi, "t0": t0, "R": R}))
     evidence = Evidence(True)
     for sign in (1, -1):
@@ -59,13 +61,19 @@ def _solves(quotient: str, function: str) -> Evidence:
 
 @claim(
     "(4.10)",
-    "The turning φ solves H(φ) = −(√2/(1 − t₀)) |⟨p₁ − p₀, T₁×T₀⟩| / ⟨p₁ − p₀, T₁ + T₀⟩.",
+    "The turning φ ≤ π solves H(φ) = −(√2/(1 − t₀)) |⟨p₁ − p₀, T₁×T₀⟩ / ⟨p₁ − p₀, T₁ + T₀⟩|.",
     method=Method.PROOF,
-    form="-sqrt(2)/(1 - t0)*abs(q)/g",
+    form="-sqrt(2)/(1 - t0)*abs(q/g)",
     printed="-sqrt(2)/(1 - t0)*q/g",
-    erratum="The absolute value of ⟨p₁ − p₀, T₁×T₀⟩ is needed: without it the equation has the wrong sign "
-    "whenever τ̄ > 0.",
-    wrong=("sqrt(2)/(1 - t0)*abs(q)/g", "-2/(1 - t0)*abs(q)/g", "-sqrt(2)/(1 + t0)*abs(q)/g"),
+    erratum="The quotient seems to lack the bars of an absolute value: without them the equation has the "
+    "wrong sign whenever τ̄ > 0. (For φ ≤ π bars around the numerator only are the same.)",
+    uncertain=True,
+    wrong=(
+        "sqrt(2)/(1 - t0)*abs(q/g)",
+        "-2/(1 - t0)*abs(q)/g",
+        "-sqrt(2)/(1 + t0)*abs(q)/g",
+        "-sqrt(2)/(1 - t0)*q/abs(g)",
+    ),
 )
 def fundamental_equation(form: str) -> Evidence:
     """(4.7) over (4.9), with τ̄± = ±R/(√2 sin(φ/2)), for both signs; q and g are the inner products."""
@@ -102,7 +110,9 @@ def end_values(form: str) -> Evidence:
     function = read(H, {"phi": x, "t0": more - 1, "R": sp.sqrt(more - 1 - sp.cos(x))})
     evidence = Evidence(True)
     ends = (sp.acos(more - 1), sp.pi)
-    for end, stated, name in zip(ends, read_tuple(form, {"t0": more - 1}), ("arccos t₀", "π"), strict=True):
+    for end, stated, name in zip(
+        ends, read_tuple(form, {"t0": more - 1}, 2), ("arccos t₀", "π"), strict=True
+    ):
         evidence &= vanishes(function.subs(x, end) - stated, f"H({name})")
     return evidence
 
@@ -134,21 +144,18 @@ def unique_short_helix(form: str) -> Evidence:
 
 @claim(
     "theorem 4.3.2.1",
-    "The end points of a helix segment with tangents T₁ ≠ T₀ differ: β²|p₁ − p₀|² = 2(1 − t₀) + (τ̄φ)² > 0.",
+    "The end points of a helix segment with tangents T₁ ≠ T₀ differ: β²|p₁ − p₀|² is 2(1 − t₀) > 0 and "
+    "(τ̄φ)², so 2(1 − t₀) at least.",
     method=Method.PROOF,
-    form="p1 != p0",
-    printed="all p0, p1",
-    erratum="For p₁ = p₀ condition (4.3) holds, but there is no short helix: p₁ ≠ p₀ must be assumed.",
-    wrong=("p1 = p0",),
+    form="2*(1 - t0)",
+    printed="0",
+    erratum="Theorem 4.3.2 does not exclude p₁ = p₀, where condition (4.3) holds but no segment ends, since "
+    "β²|p₁ − p₀|² ≥ 2(1 − t₀) > 0.",
+    wrong=("2*(1 + t0)", "1 - t0", "-2*(1 - t0)"),
 )
 def distinct_ends(form: str) -> Evidence:
-    """|βS±|² − (τ̄φ)² = 2(1 − t₀) modulo (4.5): positive, so no segment closes."""
-    known = {"p1 != p0": False, "all p0, p1": True, "p1 = p0": True}
-    if form not in known:
-        raise DomainError(f"The form {form!r} is not known here: choose one of {', '.join(known)}.")
-    closed = not vanishes(dot(SPAN, SPAN) - (tau * phi) ** 2 - 2 * (1 - t0), "|βS±|²", [RELATION])
-    line = f"a segment {'may' if closed else 'cannot'} close, as |βS±|² = 2(1 − t₀) + (τ̄φ)²"
-    return Evidence(known[form] == closed, (line,))
+    """|βS±|² is (τ̄φ)² and the form, modulo (4.5); the least value is attained by plane arcs, τ̄ = 0."""
+    return vanishes(dot(SPAN, SPAN) - (tau * phi) ** 2 - read(form, {"t0": t0}), "|βS±|² − (τ̄φ)²", [RELATION])
 
 
 @claim(
@@ -194,7 +201,9 @@ def reach_of_the_algorithm(form: str) -> Evidence:
     method=Method.PROOF,
     form="sqrt(2)/(1 - t0)*abs(q)/g",
     printed="sqrt(2)/(1 - t0)*q/g",
-    erratum="The absolute value of ⟨p₁ − p₀, T₁×T₀⟩ is missing, as in (4.10): c is negative whenever τ̄ > 0.",
+    erratum="The bars of an absolute value seem to be missing, as in (4.10): without them c is negative "
+    "whenever τ̄ > 0.",
+    uncertain=True,
     wrong=("2/(1 - t0)*abs(q)/g", "-sqrt(2)/(1 - t0)*abs(q)/g"),
 )
 def constant_of_the_algorithm(form: str) -> Evidence:
@@ -227,4 +236,4 @@ def rate_of_the_algorithm(form: str) -> Evidence:
 )
 def output_of_the_algorithm(form: str) -> Evidence:
     """Against the helix of lemma 4.2.1."""
-    return agree(HELIX, read_vectors(form, SCALARS, VECTORS)[0], "α(s)")
+    return agree(HELIX, read_vectors(form, SCALARS, VECTORS, 1)[0], "α(s)")

@@ -12,7 +12,7 @@ import sympy as sp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.helix_segments import E, F, G, phi, segment
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import integers, read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors, same
 from osculant.cas.geometry.short_helices import SegmentForms, defect_coefficient
 from osculant.cas.signs import sign_between
@@ -26,8 +26,8 @@ FORMS = SegmentForms(h, c, u, w, s, phi, 2 * s - phi * c * w)
 V, SPAN = segment(c, h, c * w, s, c * u / s)  # lemma 4.3.3 with cos(φ/2) = c cos χ, τ̄ = c sin χ/s
 
 
-def _read(form: str) -> tuple[Any, ...]:
-    parts = read_tuple(form, {"c": c, "h": h, "s": s, "chi": CHI, "phi": phi})
+def _read(form: str, count: int = 1) -> tuple[Any, ...]:
+    parts = read_tuple(form, {"c": c, "h": h, "s": s, "chi": CHI, "phi": phi}, count)
     return tuple(part.subs({sp.sin(CHI): u, sp.cos(CHI): w}) for part in parts)
 
 
@@ -63,7 +63,7 @@ def parameter(form: str) -> Evidence:
 def axis(form: str) -> Evidence:
     """V of lemma 4.3.3, with cos(φ/2) = c cos χ; also the axis of `SegmentForms`, and |V| = 1."""
     scalars = {"h": h, "s": s, "chi": CHI}
-    (stated,) = read_vectors(form, scalars, {"E": E, "F": F})
+    (stated,) = read_vectors(form, scalars, {"E": E, "F": F}, 1)
     vector = tuple(sp.sympify(x).subs({sp.sin(CHI): u, sp.cos(CHI): w}) for x in stated)
     programmed = (*FORMS.axis, sp.S.Zero)
     evidence = same([V, programmed], [vector, vector], "V", RELATIONS)
@@ -79,7 +79,7 @@ def axis(form: str) -> Evidence:
 )
 def quotients(form: str) -> Evidence:
     """The squares against (4.5) and remark 4.3.4 with cos φ = 2c²cos²χ − 1, t₀ = c² − h²; sign τ̄ = sign χ."""
-    kappa_bar, tau_bar = _read(form)
+    kappa_bar, tau_bar = _read(form, 2)
     less = 2 - 2 * c**2 * w**2  # 1 − cos φ
     evidence = vanishes(kappa_bar**2 - (1 - c**2 + h**2) / less, "κ̄²", RELATIONS)
     evidence &= vanishes(tau_bar**2 - (c**2 - h**2 + 1 - 2 * c**2 * w**2) / less, "τ̄²", RELATIONS)
@@ -185,7 +185,7 @@ def angle(form: str) -> Evidence:
 
     The ends of the angle: Y = 0 with X > 0, then with X < 0, and Y > 0 between, so that no turn is added.
     """
-    low, high = read_tuple(form, {})
+    low, high = read_tuple(form, {}, 2)
     ends = (low, high) == (sp.S.Zero, sp.pi)
     return angle_grows() & one_to_one() & Evidence(ends, (f"from 0 to π, against {low} to {high}",))
 
@@ -217,7 +217,7 @@ def sign_rule(form: str) -> Evidence:
     linear = vanishes(FORMS.Y - h * u * FORMS.defect, "Y/sin χ")
     parameter_sign = -defect
     torsion_sign = -1 * parameter_sign * (1 if (FORMS.tau_bar / u).is_positive else -1)
-    stated = tuple(int(part) for part in read_tuple(form, {}))
+    stated = integers(form, 2)
     line = f"sign χ = {parameter_sign:+d}·sign⟨p, F⟩, sign τ = {torsion_sign:+d}·sign⟨p, F⟩"
     return linear & Evidence(stated == (parameter_sign, torsion_sign), (line,))
 
@@ -232,7 +232,7 @@ def sign_rule(form: str) -> Evidence:
 def opposite_tangents(form: str) -> Evidence:
     """(4.5) with t₀ = −1: τ̄²(1 − cos φ) = −1 − cos φ ≤ 0 forces τ̄ = 0, φ = π; then the circle's chord."""
     x, p = sp.symbols("x p", positive=True)
-    turning, beta = read_tuple(form, {"p": p})
+    turning, beta = read_tuple(form, {"p": p}, 2)
     forced = vanishes(1 + sp.cos(turning), "1 + cos φ = 0")
     inside = Evidence(bool(turning < 2 * sp.pi), (f"turning {turning} < 2π",))
     chord = (sp.sin(x), 1 - sp.cos(x))  # of the circle with β = 1, along T₀ and N₀
@@ -261,14 +261,26 @@ def equal_tangents(form: str) -> Evidence:
     "If ⟨p₁ − p₀, F⟩ = 0 the arc is plane, with φ = θ for ⟨p₁ − p₀, E⟩ > 0 and φ = 2π − θ for < 0.",
     method=Method.PROOF,
     form="theta, 2*pi - theta",
-    wrong=("2*pi - theta, theta", "theta, pi - theta", "theta, theta"),
+    wrong=(
+        "2*pi - theta, theta",
+        "theta, pi - theta",
+        "theta, theta",
+        "theta, 2*pi + theta",
+        "theta + 4*pi, 2*pi - theta",
+        "-theta, 2*pi - theta",
+    ),
 )
 def plane_arcs(form: str) -> Evidence:
-    """χ = 0 and χ = π in cos(φ/2) = cos(θ/2) cos χ, in τ̄ and in X."""
+    """χ = 0 and χ = π in cos(φ/2) = cos(θ/2) cos χ, in τ̄ and in X; 0 < φ < 2π, tried at θ = π/3.
+
+    Any other solution of the identity in θ differs by a multiple of 4π or in sign, so one θ tells.
+    """
     theta = sp.Symbol("theta", positive=True)
     evidence = Evidence(True)
-    for flat, turning in zip((1, -1), read_tuple(form, {"theta": theta}), strict=True):
+    for flat, turning in zip((1, -1), read_tuple(form, {"theta": theta}, 2), strict=True):
         evidence &= vanishes(sp.cos(turning / 2) - flat * sp.cos(theta / 2), f"cos(φ/2) for cos χ = {flat}")
+        there = turning.subs(theta, sp.pi / 3)
+        evidence &= Evidence(bool(0 < there < 2 * sp.pi), (f"φ = {there} at θ = π/3",))
         evidence &= vanishes(FORMS.tau_bar.subs({u: 0, w: flat}), "τ̄")
         forwards = FORMS.X.subs({u: 0, w: flat})
         right = forwards.is_positive if flat == 1 else forwards.is_negative
@@ -292,7 +304,7 @@ def defect_series(form: str) -> Evidence:
         derivatives.append(sp.diff(derivatives[-1], x))
     taylor = [d.subs(x, 0) / sp.factorial(n) for n, d in enumerate(derivatives)]
     evidence = Evidence(not any(taylor[n] for n in (0, 1, 2, 4, 6)), ("orders 0, 1, 2, 4, 6 vanish",))
-    for order, stated in zip((3, 5, 7), read_tuple(form, {}), strict=True):
+    for order, stated in zip((3, 5, 7), read_tuple(form, {}, 3), strict=True):
         programmed = defect_coefficient((order - 1) // 2)
         evidence &= vanishes(taylor[order] - stated, f"order {order}")
         evidence &= vanishes(stated - sp.Rational(programmed.numerator, programmed.denominator), "solver")

@@ -89,7 +89,7 @@ def natural_basis(form: str) -> Evidence:
     size = x**2 + y**2
     second = ((x**2 - y**2) / size, 2 * x * y / size, sp.S.Zero)  # any unit vector of the plane
     vectors = [add(second, first), cross(second, first), subtract(second, first)]
-    squares = read_tuple(form, {"t0": dot(first, second)})
+    squares = read_tuple(form, {"t0": dot(first, second)}, 3)
     evidence = Evidence(True)
     for v, square, name in zip(vectors, squares, "EFG", strict=True):
         evidence &= vanishes(dot(v, v) - square, f"|{name}|² = 1")
@@ -110,7 +110,7 @@ def natural_orientation(form: str) -> Evidence:
     first, second = (sp.S.One, sp.S.Zero, sp.S.Zero), (t0, 2 * c * h, sp.S.Zero)
     e, g = scale(1 / (2 * c), add(second, first)), scale(1 / (2 * h), subtract(second, first))
     f = scale(1 / (2 * c * h), cross(second, first))
-    stated = read_vectors(form, {}, {"E": e, "F": f, "G": g})
+    stated = read_vectors(form, {}, {"E": e, "F": f, "G": g}, 2)
     return same([cross(e, f), cross(e, g)], stated, "E × F, E × G")
 
 
@@ -129,7 +129,7 @@ def unit_tangent(form: str) -> Evidence:
     """V = (0, 0, 1), T₀ = (κ̄, 0, τ̄) with κ̄² + τ̄² = 1; length and slope of T, and T = T₀ at φ = 0."""
     start: Vector3 = (2 * a / (1 + a**2), sp.S.Zero, (1 - a**2) / (1 + a**2))
     vectors = {"T0": start, "V": G, "T0xV": cross(start, G)}
-    (turned,) = read_vectors(form, {"phi": phi, "taub": start[2]}, vectors)
+    (turned,) = read_vectors(form, {"phi": phi, "taub": start[2]}, vectors, 1)
     turned = tuple(half_angles(x) for x in turned)
     evidence = vanishes(dot(turned, turned) - 1, "|T|² = 1") & vanishes(
         dot(turned, G) - start[2], "⟨T, V⟩ = τ̄"
@@ -167,7 +167,7 @@ def slope_from_turning(form: str) -> Evidence:
 def axis_in_basis(form: str) -> Evidence:
     """The vector with these three inner products with T₀, T₁ and T₁ × T₀, which form a basis."""
     q = sp.Symbol("q", real=True)
-    (axis,) = read_vectors(form, {**SCALARS, "q": q}, VECTORS)
+    (axis,) = read_vectors(form, {**SCALARS, "q": q}, VECTORS, 1)
     evidence = vanishes(dot(axis, T0) - tau, "⟨V, T₀⟩") & vanishes(dot(axis, T1) - tau, "⟨V, T₁⟩")
     return evidence & vanishes(dot(axis, T1xT0) - q, "⟨V, T₁×T₀⟩")
 
@@ -189,7 +189,7 @@ def axis_product(form: str) -> Evidence:
     inner = t0 + (k**2 - s**2 - 1) * (t0 - square) + 2 * k * s * q
     (root,) = sp.solve(inner - 1, q)
     evidence = Evidence(True)
-    for stated in read_tuple(form, SCALARS):
+    for stated in read_tuple(form, SCALARS, 2):
         evidence &= vanishes(root - half_angles(stated), "⟨T₁, T₀×V⟩")
     x, y, z = sp.symbols("x y z", real=True)
     product = dot((x, y, z), T1xT0) - dot(T1, cross(T0, (x, y, z)))
@@ -210,7 +210,7 @@ def axis_product(form: str) -> Evidence:
 )
 def turning_solutions(form: str) -> Evidence:
     """V is a unit vector, ⟨T₀, V⟩ = ⟨T₁, V⟩ = τ̄, and (4.4) gives T₁; modulo (4.5), either sign of τ̄."""
-    (axis,) = read_vectors(form, SCALARS, VECTORS)
+    (axis,) = read_vectors(form, SCALARS, VECTORS, 1)
     axis = tuple(half_angles(x) for x in axis)
     evidence = vanishes(dot(axis, axis) - 1, "|V|²", [RELATION])
     for end, name in ((T0, "⟨T₀, V⟩"), (T1, "⟨T₁, V⟩")):
@@ -223,7 +223,7 @@ def turning_solutions(form: str) -> Evidence:
     "These solutions exist exactly for φ in [arccos t₀, 2π − arccos t₀].",
     method=Method.PROOF,
     form="acos(t0), 2*pi - acos(t0)",
-    wrong=("acos(t0), pi", "pi - acos(t0), pi + acos(t0)", "0, 2*pi"),
+    wrong=("acos(t0), pi", "pi - acos(t0), pi + acos(t0)", "0, 2*pi", "2*pi - acos(t0), acos(t0)"),
 )
 def turning_range(form: str) -> Evidence:
     """t₀ − cos φ vanishes at both ends; cos falls on (0, π) and is symmetric about π, so it is ≥ 0 between.
@@ -231,10 +231,13 @@ def turning_range(form: str) -> Evidence:
     Without any further zero in (0, 2π): cos takes each value twice there.
     """
     theta, x = sp.Symbol("theta", positive=True), sp.Symbol("x", real=True)
-    low, high = read_tuple(form, {"t0": sp.cos(theta)})
+    low, high = read_tuple(form, {"t0": sp.cos(theta)}, 2)
     low, high = (end.subs(sp.acos(sp.cos(theta)), theta) for end in (low, high))
-    evidence = vanishes(sp.cos(theta) - sp.cos(low), "lower end") & vanishes(
-        sp.cos(theta) - sp.cos(high), "upper end"
+    ordered = Evidence(bool(low.subs(theta, 1) < high.subs(theta, 1)), (f"from {low} to {high}",))
+    evidence = (
+        ordered
+        & vanishes(sp.cos(theta) - sp.cos(low), "lower end")
+        & vanishes(sp.cos(theta) - sp.cos(high), "upper end")
     )
     falls = sign_between(sp.diff(sp.cos(x), x), x, sp.S.Zero, sp.pi)
     evidence &= vanishes(low + high - 2 * sp.pi, "the ends are symmetric about π")
@@ -270,6 +273,6 @@ def ranges(form: str) -> Evidence:
     monotone = vanishes(sp.diff(kappa_squared, u) * (1 - u) ** 2 - (1 - size), "d κ̄²/du · (1 − u)²")
     ends = [kappa_squared.subs(u, -1), kappa_squared.subs(u, size)]
     bounds = (1 - ends[1], 1 - ends[0], ends[0], ends[1])
-    for stated, bound in zip(read_tuple(form, {"t0": size}), bounds, strict=True):
+    for stated, bound in zip(read_tuple(form, {"t0": size}, 4), bounds, strict=True):
         monotone &= vanishes(stated - bound, "bound")
     return monotone

@@ -36,12 +36,13 @@ from osculant.cas.space_curves import add, cross, dot
     "The vector S±(β, φ) from p₀ to the end of the segment is perpendicular to G: ⟨S±, T₁ − T₀⟩ = 0.",
     method=Method.PROOF,
     form="G",
-    wrong=("E", "F"),
+    wrong=("E", "F", "0*G"),
 )
 def span_is_perpendicular(form: str) -> Evidence:
     """⟨S±, ·⟩ with S± from corollary 4.2.2 and lemma 4.3.3."""
-    (direction,) = read_vectors(form, {}, VECTORS)
-    return vanishes(dot(SPAN, direction), "β⟨S±, ·⟩", [RELATION])
+    (direction,) = read_vectors(form, {}, VECTORS, 1)
+    there = Evidence(any(part != 0 for part in direction), (f"the direction is {direction}",))
+    return there & vanishes(dot(SPAN, direction), "β⟨S±, ·⟩", [RELATION])
 
 
 @claim(
@@ -117,7 +118,7 @@ def inner_products(form: str) -> Evidence:
     total, across = add(T0, T1), cross(T0, V)
     derived = (dot(V, total), dot(across, total), dot(across, T1xT0))
     evidence = Evidence(True)
-    for stated, value in zip(read_tuple(form, SCALARS), derived, strict=True):
+    for stated, value in zip(read_tuple(form, SCALARS, 3), derived, strict=True):
         evidence &= vanishes(value - half_angles(stated), "inner product", [RELATION])
     return evidence
 

@@ -25,7 +25,7 @@ from osculant.cas.asymptotics.hermite_cubics import (
 )
 from osculant.cas.canonical import affine_graph
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import agrees, read, vanishes
+from osculant.cas.claims.proof import agrees, integers, read, vanishes
 
 #: digits and affine length of the true G² cubics
 DIGITS, LENGTH = 70, "1e-5"
@@ -33,29 +33,50 @@ DIGITS, LENGTH = 70, "1e-5"
 
 @claim(
     "section 1.3.3-5",
-    "Höllig and Koch's order m = d + 1 + ⌊(d − 1)/(n − 1)⌋ in the plane: parabolas d = 2 have order "
-    "4, cubics d = 3 "
-    "order 6, as the contact conditions give.",
+    "Höllig and Koch's order m = d + 1 + ⌊(d − 1)/(n − 1)⌋ for curves of degree d in n dimensions: 4 and 6 "
+    "for parabolas and cubics in the plane, 3 and 5 in space.",
     method=Method.EXACT,
-    form="d + 1 + (d - 1)/(n - 1)",
-    wrong=("d + 1", "2*d - 1", "d + (d - 1)/(n - 1)"),
+    form="(d - 1)/(n - 1)",
+    wrong=("0", "d - 1", "(d - 1)*(n - 1)", "d/(n - 1)", "(d - 1)/n", "(d - 2)/(n - 1)"),
 )
 def hoellig_koch(form: str) -> Evidence:
     """The order is the first power of t that no choice of coefficients removes.
 
     Polynomial curves x = t + …, y = … of degree d against the canonical form: the order is the first power
     of t that is left when the coefficients are chosen so that as many as possible vanish; for d = 2 the
-    parabola y = x²/2 leaves kx⁴/8, for d = 3 six-fold contact leaves E(a)t⁶. The form is taken at n = 2 (the
-    quotient is whole).
+    parabola y = x²/2 leaves kx⁴/8, for d = 3 six-fold contact leaves E(a)t⁶. In space the same with a graph
+    (x, f(x), g(x)), f = x²/2 + …, g = cx³ + …. The form is what the floor is taken of.
     """
     y, _ = affine_graph(CONTACTS)
     parabola = next(i for i in range(3, CONTACTS) if y[i] != 0)
     cubic = CONTACTS if contact_cubic().residual != 0 else CONTACTS + 1
     evidence = Evidence(True)
-    for degree, order in ((2, parabola), (3, cubic)):
-        stated = read(form, {"d": sp.Integer(degree), "n": sp.Integer(2)})
-        evidence &= vanishes(stated - order, f"order of degree {degree}, {order} from the contact")
+    orders = {(2, 2): parabola, (2, 3): cubic} | {(3, d): _order_in_space(d) for d in (2, 3)}
+    for (dimension, degree), order in orders.items():
+        quotient = read(form, {"d": sp.Integer(degree), "n": sp.Integer(dimension)})
+        stated = degree + 1 + sp.floor(quotient)
+        evidence &= vanishes(
+            stated - order, f"order of degree {degree} in dimension {dimension}, {order} from the contact"
+        )
     return evidence
+
+
+def _order_in_space(degree: int) -> int:
+    """The first order in which no curve of that degree meets a generic space curve (x, f(x), g(x)).
+
+    The curve is x = t + a₂t² + …; its other coordinates take care of the orders up to the degree.
+    """
+    t, *free = sp.symbols(f"t a2:{degree + 1}")
+    f, g = sp.symbols("f2:7"), sp.symbols("g3:7")
+    x = t + sum(c * t**i for i, c in enumerate(free, start=2))
+    rows = [sum(c * x**i for i, c in enumerate(row, start=start)) for row, start in ((f, 2), (g, 3))]
+    rest = [sp.Poly(sp.expand(row), t) for row in rows]
+    order, conditions = degree + 1, []
+    while True:
+        conditions += [row.coeff_monomial(t**order) for row in rest]
+        if not sp.solve(conditions, free, dict=True):
+            return order
+        order += 1
 
 
 @claim(
@@ -139,7 +160,7 @@ def number_of_solutions(form: str) -> Evidence:
     """
     stated = read(form, {"k": k, "k1": k1})
     factor = discriminant().subs({k: 1, k1: 0}) / stated.subs({k: 1, k1: 0})
-    positive = Evidence(bool(factor > 0), (f"discriminant = {factor}·(form)",))
+    positive = Evidence(bool(factor.is_positive), (f"discriminant = {factor}·(form)",))
     return positive & vanishes(discriminant() - factor * stated, "discriminant")
 
 
@@ -187,10 +208,11 @@ def true_cubics(form: str) -> Evidence:
     The solutions of the quadratic system are matched with the real solutions a of the condition in the order
     of the displacement in the middle.
     """
+    (count,) = integers(form, 1)
     with mp.workdps(DIGITS):
-        evidence = Evidence(True)
+        evidence, factor = Evidence(True), mp.mpf(1) / count if count else mp.inf
         for what, jet in (("three solutions", (1, 2, 3)), ("one solution", (1, 7, 3)), ("k < 0", (-1, 1, 1))):
-            evidence &= _measure(what, jet, mp.mpf(1) / int(form))
+            evidence &= _measure(what, jet, factor)
         return evidence
 
 

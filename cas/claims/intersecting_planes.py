@@ -45,7 +45,7 @@ def line_of_two_planes(form: str) -> Evidence:
     """
     names = {"p0": P0, "p1": P1, "U0": U0, "U1": U1, "U0xU1": cross(U0, U1)}
     size = sp.Symbol("delta", positive=True)  # |U₀×U₁|², multiplied out
-    point, direction = read_vectors(form, {**PRODUCTS, "delta": size}, names)
+    point, direction = read_vectors(form, {**PRODUCTS, "delta": size}, names, 2)
     on_line = add(point, scale(sp.Symbol("lambda", real=True), direction))
     evidence = Evidence(True)
     for through, normal, what in ((P0, U0, "|U₀×U₁|²⟨p − p₀, U₀⟩"), (P1, U1, "|U₀×U₁|²⟨p − p₁, U₁⟩")):
@@ -72,7 +72,7 @@ def coefficients(form: str) -> Evidence:
     system = sp.Matrix([[u00, u01], [u01, u11]])
     solution = system.LUsolve(sp.Matrix([0, gamma]))
     names = {"u00": u00, "u01": u01, "u11": u11, "g": gamma, "delta": system.det()}
-    first, second, size = read_tuple(form, names)
+    first, second, size = read_tuple(form, names, 3)
     evidence = vanishes(first - solution[0], "a") & vanishes(second - solution[1], "b")
     inserted = {a: PRODUCTS[str(a)] for a in (u00, u01, u11)}
     return evidence & vanishes(size.subs(inserted) - PRODUCTS["delta"], "Δ = |U₀×U₁|²")

@@ -11,7 +11,7 @@ from mpmath import mp
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.displacement import displacement_by_q
 from osculant.cas.claims.parabola_monotonicity import CAYLEY, growth, velocity_zeros
-from osculant.cas.claims.proof import agrees, read, vanishes
+from osculant.cas.claims.proof import agrees, integers, read, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
 from osculant.cas.geometry.moons import equisymmetric, imbalance, least_area, moons
@@ -66,6 +66,7 @@ def _grows(form: str, chosen: Any) -> Evidence:
     "bitangent "
     "conic grows strictly with the sub-arc.",
     method=Method.PROOF,
+    given=("R3.2-2",),
     form="k monotone",
     wrong=("k != 0",),
 )
@@ -89,6 +90,7 @@ def conic_monotone(form: str) -> Evidence:
     "conic grows "
     "strictly with the sub-arc.",
     method=Method.PROOF,
+    given=("R3.2-2",),
     form="k monotone",
     wrong=("k != 0",),
 )
@@ -125,14 +127,19 @@ def equisymmetric_monotone(form: str) -> Evidence:
     "A₋(σ*) = A₊(σ*) at one crossing σ* inside.",
     method=Method.PROOF,
     form="A_minus - A_plus",
-    wrong=("A_minus - 2*A_plus", "A_minus", "A - A_plus"),
+    wrong=("A_minus - 2*A_plus", "A_minus", "A - A_plus", "A_minus^2 - A_plus^2"),
 )
 def equal_moons(form: str) -> Evidence:
     """A₋ grows from 0 and A₊ falls to 0 as the crossing σ moves on, since d is monotone in Q (R3.3-7).
 
     So the form must take both signs and vanish once, where both moons have the same area: at the Q where the
-    signed area ∫ d(1 − κd/2) ds vanishes. A is the sum of both areas, δ_S.
+    signed area ∫ d(1 − κd/2) ds vanishes. A is the sum of both areas, δ_S. The form, a linear one of the
+    areas, is put to the test on one arc only.
     """
+    names = {name: sp.Symbol(name) for name in ("A_minus", "A_plus", "A")}
+    itself = read(form, names)
+    if not (itself.is_polynomial() and sp.Poly(itself, *names.values()).homogeneous_order() == 1):
+        return Evidence(False, (f"{itself} is no linear form of the areas",))
     found = displacement_by_q("4*f0*f2/root")
     with mp.workdps(15):
         pencil = BitangentPencil(ReferenceCurve(SPIRAL), 1, 3)
@@ -149,8 +156,8 @@ def equal_moons(form: str) -> Evidence:
     at_crossing = abs(dict(values)[crossing]) < 1e-10 * (firsts[7] + lasts[7])
     both = ordered[0] * ordered[-1] < 0
     line = (
-        f"spiral on [1, 3]: equal moons {mp.nstr(firsts[7], 10)} and {mp.nstr(lasts[7], 10)} at σ* = "
-        f"{mp.nstr(crossing, 10)}; A₋ grows from {mp.nstr(firsts[0], 3)} to {mp.nstr(firsts[-1], 3)}, A₊ "
+        f"instance, spiral on [1, 3]: equal moons {mp.nstr(firsts[7], 10)} and {mp.nstr(lasts[7], 10)} at "
+        f"σ* = {mp.nstr(crossing, 10)}; A₋ grows from {mp.nstr(firsts[0], 3)} to {mp.nstr(firsts[-1], 3)}, A₊ "
         f"falls from "
         f"{mp.nstr(lasts[0], 3)} to {mp.nstr(lasts[-1], 3)}; the form is "
         f"{mp.nstr(dict(values)[crossing], 3)} at σ*"
@@ -196,7 +203,7 @@ def least_area_unique(form: str) -> Evidence:
             lines.append(
                 f"{text} on [{low}, {high}]: stationary at σ = {mp.nstr(least_area(pencil), 8)} only"
             )
-    return Evidence(counts == {int(form)}, tuple(lines))
+    return Evidence(counts == set(integers(form, 1)), tuple(lines))
 
 
 @claim(
@@ -223,7 +230,7 @@ def excess_order(form: str) -> Evidence:
             excess.append(sum(moons(pencil, equisymmetric(pencil))) / least - 1)
         order = mp.log(excess[0] / excess[1], 2)
         line = f"spiral about t = 2: relative excess {mp.nstr(excess[0], 5)} and {mp.nstr(excess[1], 5)}"
-        return Evidence(True, (line,)) & agrees(order, int(form), 1.5, "order")
+        return Evidence(True, (line,)) & agrees(order, *integers(form, 1), 1.5, "order")
 
 
 @claim(

@@ -12,7 +12,7 @@ from osculant.cas.asymptotics.offset_curves import OffsetCurve
 from osculant.cas.claims.affine_curves import W, all_of, euclidean_frame, frenet_derivative, kappas
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.offset_curves import CROSSING, TANGENT, curvature_of_alpha
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import integers, read, read_tuple, vanishes
 from osculant.cas.derivations.jets import bracket
 from osculant.cas.errors import DomainError
 
@@ -78,7 +78,7 @@ def _displaced(primitive: str, order: int, shape: Any, D: Any) -> Evidence:
 def parabola_offset(form: str) -> Evidence:
     """d is that of (3.3); along the normal only Q counts, [T, t] = 0, and [T, n] comes from Lemma 2.2.1."""
     Q = sp.Symbol("Q", real=True)
-    d, D = read_tuple(form, TANGENT.symbols | kappas() | {"Q": Q})
+    d, D = read_tuple(form, TANGENT.symbols | kappas() | {"Q": Q}, 2)
     contact = TANGENT.expression(TANGENT.contact)
     return vanishes(d - contact, "d") & vanishes(D - _normal_part(Q), "D")
 
@@ -97,7 +97,7 @@ def parabola_offset(form: str) -> Evidence:
 def conic_offset(form: str) -> Evidence:
     """As (3.10), with the d of (3.5)."""
     Q = sp.Symbol("Q", real=True)
-    d, D = read_tuple(form, CROSSING.symbols | kappas() | {"Q": Q})
+    d, D = read_tuple(form, CROSSING.symbols | kappas() | {"Q": Q}, 2)
     contact = CROSSING.expression(CROSSING.contact)
     return vanishes(d - contact, "d") & vanishes(D - _normal_part(Q), "D")
 
@@ -214,7 +214,7 @@ def loss_of_differentiability(form: str) -> Evidence:
     pieces meet on a line they differ by a function with a zero of finite order on it; at the origin a
     homogeneous function of degree g that is no polynomial is C^(g−1) and no better.
     """
-    stated = [int(value) for value in read_tuple(form, {})]
+    stated = integers(form, 2)
     u, rho = sp.symbols("u rho", real=True)
     found = []
     for loss, zeros in zip(stated, ((0, 0, rho, rho), (0, 0, rho, rho, rho / 2)), strict=True):

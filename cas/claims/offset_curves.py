@@ -15,7 +15,7 @@ from osculant.cas.asymptotics.offset_curves import OffsetCurve, Pair, both_ends,
 from osculant.cas.canonical import affine_arc, series_of_derivatives
 from osculant.cas.claims.affine_curves import all_of
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import order, read, read_tuple, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.power_series import PowerSeries, power
 
@@ -154,23 +154,25 @@ def brackets_of_the_offset(form: str) -> Evidence:
     away = (curve.beta[0] - curve.arc[0], curve.beta[1] - curve.arc[1])
     s = curve.symbols
     linear = {f: s[f"{f}0"] + sum(s[f"{f}{p}"] * s[p] for p in curve.places) for f in "PQ"}
-    stated = read_tuple(form, linear | {"d": curve.expression(curve.contact)})
+    stated = read_tuple(form, linear | {"d": curve.expression(curve.contact)}, 2)
     first = to_order(curve, bracket(away, n), stated[0], curve.length, "[β − α, n]")
     return first & to_order(curve, bracket(away, t), stated[1], curve.length, "[β − α, t]")
 
 
 @claim(
     "lemma 3.5.1.1",
-    "An offset curve tangent at both ends has kβ(u, ρ) = k(0) + 8Q(0, 0) + O(ρ), 0 ≤ u ≤ ρ; the form ends "
-    "with the order of the remainder.",
+    "An offset curve tangent at both ends has kβ(u, ρ) = k(0) + 8Q(0, 0) + O(ρ), 0 ≤ u ≤ ρ.",
     method=Method.PROOF,
     form="k0 + 8*Q0, 1",
     wrong=("k0 + 4*Q0, 1", "k0 - 8*Q0, 1", "k0 + 16*Q0, 1", "k0 + 8*Q0, 2"),
 )
 def tangent_curvature(form: str) -> Evidence:
-    """kβ of β = α + u²(u − ρ)²(Pt + Qn) by (2.12), as a series; P drops out."""
-    stated, order = read_tuple(form, TANGENT.symbols)
-    return to_order(TANGENT, TANGENT.affine_curvature, stated, int(order), "kβ")
+    """kβ of β = α + u²(u − ρ)²(Pt + Qn) by (2.12), as a series; P drops out.
+
+    The form ends with the order of the remainder.
+    """
+    stated, last = read_tuple(form, TANGENT.symbols, 2)
+    return to_order(TANGENT, TANGENT.affine_curvature, stated, order(last), "kβ")
 
 
 @claim(
@@ -182,8 +184,8 @@ def tangent_curvature(form: str) -> Evidence:
 )
 def curvature_at_zero(form: str) -> Evidence:
     """kβ of β = α + u⁴(Pt + Qn) by (2.12), at u = 0: the orders 0 to 4 of β determine it."""
-    stated, order = read_tuple(form, AT_ZERO.symbols)
-    return to_order(AT_ZERO, AT_ZERO.affine_curvature, stated, int(order), "kβ")
+    stated, last = read_tuple(form, AT_ZERO.symbols, 2)
+    return to_order(AT_ZERO, AT_ZERO.affine_curvature, stated, order(last), "kβ")
 
 
 @claim(
@@ -200,8 +202,8 @@ def curvature_at_zero(form: str) -> Evidence:
 )
 def crossing_curvature(form: str) -> Evidence:
     """kβ of β = α + u²(u − ρ)²(u − σ)(Pt + Qn) by (2.12), as a series; P drops out."""
-    stated, order = read_tuple(form, CROSSING.symbols)
-    return to_order(CROSSING, CROSSING.affine_curvature, stated, int(order), "kβ")
+    stated, last = read_tuple(form, CROSSING.symbols, 2)
+    return to_order(CROSSING, CROSSING.affine_curvature, stated, order(last), "kβ")
 
 
 @claim(

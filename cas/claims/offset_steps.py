@@ -17,7 +17,7 @@ from osculant.cas.claims.offset_curves import (
     in_class,
     to_order,
 )
-from osculant.cas.claims.proof import read, read_tuple
+from osculant.cas.claims.proof import integers, order, read, read_tuple
 
 
 def _symbols(curve: OffsetCurve, contact: Any) -> dict[str, Any]:
@@ -50,12 +50,12 @@ def derivatives_at_zero(form: str) -> Evidence:
     """The derivatives of β = α + u⁴(Pt + Qn), P and Q with linear terms, along t(u) and n(u)."""
     found = []
     for axis, basis in enumerate(BASIS):
-        *stated, first, second, third = read_tuple(form, _at_zero() | basis)
-        for vector, value, order, primes in zip(
+        *stated, first, second, third = read_tuple(form, _at_zero() | basis, 6)
+        for vector, value, last, primes in zip(
             AT_ZERO.derivatives(3), stated, (first, second, third), ("′", "″", "‴"), strict=True
         ):
             series = along_frame(AT_ZERO, vector)[axis]
-            found.append(to_order(AT_ZERO, series, value, int(order), f"β{primes} along {'tn'[axis]}"))
+            found.append(to_order(AT_ZERO, series, value, order(last), f"β{primes} along {'tn'[axis]}"))
     return all_of(found)
 
 
@@ -68,8 +68,8 @@ def derivatives_at_zero(form: str) -> Evidence:
 )
 def speed_at_zero(form: str) -> Evidence:
     """φ = [β′, β″]^(1/3) of β = α + u⁴(Pt + Qn) as a series."""
-    stated, order = read_tuple(form, AT_ZERO.symbols)
-    return to_order(AT_ZERO, AT_ZERO.affine_speed, stated, int(order), "φ")
+    stated, last = read_tuple(form, AT_ZERO.symbols, 2)
+    return to_order(AT_ZERO, AT_ZERO.affine_speed, stated, order(last), "φ")
 
 
 @claim(
@@ -83,7 +83,7 @@ def speed_at_zero(form: str) -> Evidence:
 )
 def bracket_at_zero(form: str) -> Evidence:
     """Both terms of (3.6) at u = 0 for β = α + u⁴(Pt + Qn)."""
-    first, second = read_tuple(form, AT_ZERO.symbols)
+    first, second = read_tuple(form, AT_ZERO.symbols, 2)
     _, bend, jerk = AT_ZERO.derivatives(3)
     phi = AT_ZERO.affine_speed
     return to_order(AT_ZERO, bracket(bend, jerk), first, 1, "[β₀″, β₀‴]") & to_order(
@@ -127,7 +127,7 @@ def classes(form: str) -> Evidence:
     def member(a: int, others: int, i: int) -> bool:
         return others >= 2 or a >= 6 - i - others
 
-    low, high = (int(value) for value in read_tuple(form, {}))
+    low, high = integers(form, 2)
     defined = range(5)
     holds = {
         i
@@ -138,7 +138,7 @@ def classes(form: str) -> Evidence:
             for a, b in ((6 - i, 0), (5 - i, 1), (0, 2))
         )
     }
-    line = f"d/du leads from Oᵢ to Oᵢ₊₁ with both defined for i in {sorted(holds)}"
+    line = f"d/du leads from Oᵢ to Oᵢ₊₁ with both defined for i in {sorted(holds)}, against {low} to {high}"
     return Evidence(holds == set(range(low, high + 1)), (line,))
 
 
@@ -158,7 +158,7 @@ def derivatives_of_the_crossing_curve(form: str) -> Evidence:
     """The derivatives along t(u) and n(u), P and Q with linear terms, monomial by monomial."""
     found = []
     for axis, basis in enumerate(BASIS):
-        stated = read_tuple(form, _crossing() | basis)
+        stated = read_tuple(form, _crossing() | basis, 3)
         for i, (vector, value) in enumerate(zip(CROSSING.derivatives(3), stated, strict=True), start=1):
             series = along_frame(CROSSING, vector)[axis]
             found.append(in_class(CROSSING, series, value, i, f"β_{'u' * i} along {'tn'[axis]}"))
@@ -177,7 +177,7 @@ def speed_of_the_crossing_curve(form: str) -> Evidence:
     phi = CROSSING.affine_speed
     slope = CROSSING.rate(phi)
     derived = (phi, phi, slope * slope, CROSSING.rate(slope))
-    stated = read_tuple(form, _crossing())
+    stated = read_tuple(form, _crossing(), 4)
     what = (("φ", 2), ("φ", 3), ("φ_u²", 4), ("φ_uu", 4))
     return all_of(
         in_class(CROSSING, series, value, i, name)
@@ -195,7 +195,7 @@ def speed_of_the_crossing_curve(form: str) -> Evidence:
 def curvature_of_the_crossing_curve(form: str) -> Evidence:
     """Both as series, monomial by monomial."""
     _, second, third = CROSSING.derivatives(3)
-    stated = read_tuple(form, _crossing())
+    stated = read_tuple(form, _crossing(), 2)
     derived = (bracket(second, third), CROSSING.affine_curvature)
     return all_of(
         in_class(CROSSING, series, value, 4, name)

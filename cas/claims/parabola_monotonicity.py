@@ -24,7 +24,7 @@ from osculant.cas.claims.parabola_contact import (
     det,
     four_points,
 )
-from osculant.cas.claims.proof import read, read_tuple, vanishes
+from osculant.cas.claims.proof import integers, read, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.formula import parse_tuple
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
@@ -102,7 +102,7 @@ def velocity_zeros(form: str) -> Evidence:
     quadratic = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"f{min(i, j)}{max(i, j)}"))
     conic = sp.Poly(sp.expand((place.T * quadratic * place)[0]), t).degree()
     line = f"degrees: {parabola} for the parabola, {conic} for the conic"
-    return Evidence((parabola, conic) == tuple(int(n) for n in read_tuple(form, {})), (line,))
+    return Evidence((parabola, conic) == integers(form, 2), (line,))
 
 
 @claim(

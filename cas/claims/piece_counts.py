@@ -14,7 +14,7 @@ from osculant.cas.asymptotics.next_term import density_terms, next_constant
 from osculant.cas.asymptotics.short_arcs import arc_error, height_series
 from osculant.cas.balls import PRECISION, CurveBalls, constant, precision
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import agrees, read, read_tuple, vanishes
+from osculant.cas.claims.proof import agrees, read, read_tuple, split, vanishes
 from osculant.cas.complexity import complexity_constant
 from osculant.cas.formula import parse_constant, parse_tuple
 from osculant.cas.geometry.bitangent import ReferenceCurve
@@ -101,7 +101,7 @@ def sharper_orders(form: str) -> Evidence:
     """c₁ε^{1/p} over Cε^{−1/p} is of the order 2/p, since e₁ = 0 and e₂ is not; p is derived."""
     found = [height_series(primitive) for primitive in ("parabola", "conic")]
     result = Evidence(all(h[1] == 0 and h[2] != 0 for *_, h in found), ("e₁ = 0 and e₂ ≠ 0",))
-    for claimed, (order, *_) in zip(read_tuple(form, {}), found, strict=True):
+    for claimed, (order, *_) in zip(read_tuple(form, {}, 2), found, strict=True):
         result &= vanishes(claimed - sp.Rational(2, order), f"order for p = {order}")
     return result
 
@@ -201,7 +201,7 @@ def parabolic_end(form: str) -> Evidence:
 
 def _end(form: str, primitive: str) -> Evidence:
     value: Any = end_correction(primitive, 14)
-    return agrees(value, mpmath.mpf(form), 12, f"end correction of a {primitive}")
+    return agrees(value, form, 12, f"end correction of a {primitive}")
 
 
 @claim(
@@ -235,9 +235,9 @@ def conic_constants(form: str) -> Evidence:
 
 def _leading_constants(form: str, primitive: str) -> Evidence:
     result = Evidence(True)
-    for claimed, (curve, low, high) in zip(form.split(","), ((SPIRAL, "pi/6", "2*pi"), SEXTIC), strict=True):
+    for claimed, (curve, low, high) in zip(split(form, 2), ((SPIRAL, "pi/6", "2*pi"), SEXTIC), strict=True):
         with precision(PRECISION):
             ends = constant(parse_constant(low)), constant(parse_constant(high))
         value, _ = complexity_constant(CurveBalls(parse_tuple(curve)), primitive, *ends)
-        result &= agrees(value.str(30, radius=False), claimed.strip(), 17, f"constant of ({curve})")
+        result &= agrees(value.str(30, radius=False), claimed, 17, f"constant of ({curve})")
     return result

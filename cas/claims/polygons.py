@@ -12,7 +12,7 @@ import sympy as sp
 from osculant.cas.asymptotics.arc_laws import arc_law
 from osculant.cas.canonical import affine_arc, affine_graph
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import agrees, read, vanishes
+from osculant.cas.claims.proof import agrees, integers, read, vanishes
 
 n, J, L, K = sp.symbols("n I lambda K", positive=True)
 
@@ -61,7 +61,7 @@ def fejes_toth(form: str) -> Evidence:
 
     The form holds the powers of 1/n of the first term and of the remainder, both found from n and 2n.
     """
-    first, following = (int(part) for part in form.split(","))
+    first, following = integers(form, 2)
     with mp.workdps(DIGITS):
         content, errors = _ellipse_polygons()
         leading = mp.mpf(arc_law("polygon").constant.p) / arc_law("polygon").constant.q * content**2

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
 from osculant.cas.claims.claim import Evidence
-from osculant.cas.errors import UndecidedError
+from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formula import parse, parse_tuple
 from osculant.cas.sympy_bridge import to_sympy
 
@@ -27,9 +28,95 @@ def read(form: str, symbols: Mapping[str, Any]) -> Any:
     return _insert(parse(form, tuple(symbols)), symbols)
 
 
-def read_tuple(form: str, symbols: Mapping[str, Any]) -> tuple[Any, ...]:
-    """The same for several expressions separated by commas."""
-    return tuple(_insert(node, symbols) for node in parse_tuple(form, tuple(symbols)))
+def read_tuple(form: str, symbols: Mapping[str, Any], count: int | None = None) -> tuple[Any, ...]:
+    """The same for several expressions separated by commas.
+
+    Raises DomainError if there are not ``count`` of them.
+
+    >>> read_tuple("a, 2", {"a": sp.Symbol("a")}, 2)
+    (a, 2)
+    """
+    parts = parse_tuple(form, tuple(symbols))
+    if count is not None and len(parts) != count:
+        raise DomainError(f"The form {form!r} has {len(parts)} part{'s'[: len(parts) != 1]}: give {count}.")
+    return tuple(_insert(node, symbols) for node in parts)
+
+
+def integers(form: str, count: int | None = None) -> tuple[int, ...]:
+    """Integers separated by commas. Raises DomainError for other numbers, or if there are not ``count``.
+
+    >>> integers("4, 2 + 3")
+    (4, 5)
+    """
+    return tuple(integer(part) for part in read_tuple(form, {}, count))
+
+
+def integer(part: Any) -> int:
+    """A part of a form that must be an integer, such as an order. Raises DomainError for others.
+
+    >>> integer(sp.Integer(3))
+    3
+    """
+    if not part.is_Integer:
+        raise DomainError(f"An integer is expected in the form, not {part}.")
+    return int(part)
+
+
+def order(part: Any) -> int:
+    """A part of a form that is the order of a remainder. Raises DomainError for what is no integer ≥ 1.
+
+    >>> order(sp.Integer(3))
+    3
+    """
+    if integer(part) < 1:
+        raise DomainError(f"The order of a remainder is 1 at least, not {part}.")
+    return int(part)
+
+
+def split(form: str, count: int) -> list[str]:
+    """The texts between a form's commas. Raises DomainError if there are not ``count``.
+
+    >>> split("-1, pi", 2)
+    ['-1', 'pi']
+    """
+    parts = [part.strip() for part in form.split(",")]
+    if len(parts) != count:
+        raise DomainError(f"The form {form!r} has {len(parts)} part{'s'[: len(parts) != 1]}: give {count}.")
+    return parts
+
+
+def rounding(form: str, digits: int) -> tuple[Fraction, Fraction]:
+    """A decimal number and half a unit of its last digit.
+
+    Raises DomainError for other texts, and for a number with less than ``digits`` digits after the point.
+
+    >>> rounding("0.25", 2)
+    (Fraction(1, 4), Fraction(1, 200))
+    """
+    given = len(form.partition(".")[2])
+    try:
+        value = Fraction(form)
+    except ValueError:
+        raise DomainError(f"A decimal number is expected, not {form!r}.") from None
+    if given < digits:
+        raise DomainError(f"A number with {digits} digits after the point is expected, not {form!r}.")
+    return value, Fraction(1, 2) / 10**given
+
+
+def positive(expression: Any, what: str) -> Evidence:
+    """Whether an expression in positive symbols is positive at a point.
+
+    That decides its sign everywhere if its square is known and not 0.
+
+    >>> x = sp.Symbol("x", positive=True)
+    >>> bool(positive(x**2, "x²")), bool(positive(-x, "−x"))
+    (True, False)
+    """
+    source = random.Random(20100)
+    point = {symbol: _sample(symbol, source) for symbol in sorted(expression.free_symbols, key=str)}
+    value = sp.N(expression, DIGITS, subs=point)
+    at = ", ".join(f"{s} = {q}" for s, q in point.items()) or "every point"
+    return Evidence(bool(value.is_positive), (f"{what} is {sp.N(value, 6)} at {at}",))
 
 
 def _insert(node: Any, symbols: Mapping[str, Any]) -> Any:
@@ -48,7 +135,8 @@ def vanishes(expression: Any, what: str, relations: Sequence[tuple[Any, Any]] = 
         relations: pairs (polynomial, symbol): the polynomial is 0, and is divided out as one in the symbol.
             Relations make the free trial points invalid, so then only the division decides.
 
-    Raises UndecidedError if it vanishes at the trial points but no proof is found.
+    Raises UndecidedError if it vanishes at the trial points but no proof is found, DomainError if relations
+    are to be divided out of what is no polynomial.
 
     >>> a, b = sp.symbols("a b")
     >>> vanishes((a + b) ** 2 - a**2 - 2 * a * b - b**2, "binomial").certificate
@@ -57,6 +145,8 @@ def vanishes(expression: Any, what: str, relations: Sequence[tuple[Any, Any]] = 
     False
     """
     expression = _without_functions(sp.sympify(expression))
+    if expression.has(sp.zoo):
+        return Evidence(False, (f"{what}: one side is infinite",))
     if not relations:
         refuted = _counterexample(expression)
         if refuted is not None:
@@ -101,16 +191,20 @@ def _sample(symbol: Any, source: random.Random) -> Any:
 def _is_zero(expression: Any, relations: Sequence[tuple[Any, Any]]) -> bool:
     numerator = sp.expand(sp.numer(sp.together(expression)))
     for polynomial, symbol in relations:
-        numerator = sp.expand(sp.rem(numerator, polynomial, symbol))
+        try:
+            numerator = sp.expand(sp.rem(numerator, polynomial, symbol))
+        except sp.polys.polyerrors.BasePolynomialError as failed:
+            raise DomainError(f"The difference of both sides is no polynomial in {symbol}.") from failed
     if numerator == 0 or sp.expand(sp.powsimp(numerator, force=True)) == 0:
         return True
     return not relations and sp.simplify(expression) == 0
 
 
 def agrees(value: Any, expected: Any, digits: float, what: str) -> Evidence:
-    """Whether two numbers agree to a relative 10^−digits; the expected one is not 0.
+    """Whether two numbers agree to a relative 10^−digits; with 0 only if that is not the expected one.
 
-    The comparison carries 15 digits more than are wanted; a float has no more than its own 16.
+    The comparison carries 15 digits more than are wanted; a float has no more than its own 16. Raises
+    DomainError for a text that is no number.
 
     >>> agrees(3.14159, 22 / 7, 3, "pi").certificate
     ('pi: 3.14159 against 3.14285714286, relative difference 4.0e-4 (wanted 1e-3)',)
@@ -118,13 +212,22 @@ def agrees(value: Any, expected: Any, digits: float, what: str) -> Evidence:
     import mpmath as mp
 
     with mp.workdps(max(15, int(digits)) + 15):
-        value, expected = mp.mpf(value), mp.mpf(expected)
-        difference = abs(value / expected - 1)
+        value, expected = _number(value), _number(expected)
+        difference = abs(value / expected - 1) if expected else mp.inf
         line = (
             f"{what}: {mp.nstr(value, 12)} against {mp.nstr(expected, 12)}, relative difference "
             f"{_power_of_ten(difference)} (wanted 1e-{digits:g})"
         )
         return Evidence(bool(difference <= mp.mpf(10) ** -digits), (line,))
+
+
+def _number(value: Any) -> Any:
+    import mpmath as mp
+
+    try:
+        return mp.mpf(value)
+    except ValueError:
+        raise DomainError(f"{value!r} is no number.") from None
 
 
 def _power_of_ten(x: Any) -> str:

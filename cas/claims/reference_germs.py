@@ -1,28 +1,32 @@
-"""Lists of germs in the literature and Table 6.1: their codimensions, computed for small parameters."""
+"""Lists of germs in the literature: their codimensions, computed for small parameters and all signs."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from osculant.cas.claims.claim import Check, Evidence, Method, claim
 from osculant.cas.errors import DomainError
 from osculant.cas.formula import parse_constant
 from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.reference import Entry, instance, reference
-from osculant.cas.rationals import Fraction
 
 #: name of the claim, list, value, what the numbers are, and wrong entries: (place, number)
 LISTS = (
     ("R6.4-1", "thom", "cod_e", "Thom's seven germs: codimensions for R_e", ((0, "1"), (6, "4"))),
-    ("R6.4-2", "simple functions", "cod_e", "Arnold's A_k, D_k, E₆, E₇, E₈: for R_e", ((0, "k + 1"), (4, "7"))),
+    (
+        "R6.4-2",
+        "simple functions",
+        "cod_e",
+        "Arnold's A_k, D_k, E₆, E₇, E₈: for R_e",
+        ((0, "k + 1"), (4, "7")),
+    ),
     ("R6.4-3", "boundary functions", "cod_e", "Arnold's B_k, C_k, F₄: for R(H)_e", ((0, "k - 1"), (2, "3"))),
     ("R6.4-4", "plane curves", "cod_e", "Bruce and Gaffney's curves: for A_e", ((0, "2*k"), (9, "8"))),
     ("R6.4-5", "rieger", "cod_e", "Rieger's germs of the plane to the plane: for A_e", ((2, "k"), (8, "5"))),
     ("R6.4-6", "mond", "cod_e", "Mond's germs of the plane to space: for A_e", ((0, "k + 1"), (4, "k + 1"))),
     ("R6.4-7", "klotz pop rieger", "cod", "Klotz, Pop and Rieger's to R⁴: for A", ((1, "6"), (3, "5"))),
 )
-#: the strata of Table 6.1 by n, and a wrong number among those of the projections
-STRATA = {3: (3, "3"), 4: (2, "3"), 5: (6, "7"), 6: (1, "5"), 7: (1, "7"), 8: (0, "5")}
 
 
 def _values(form: str, entries: Sequence[Entry]) -> list[str]:
@@ -78,52 +82,5 @@ def _register_list(number: str, name: str, key: str, what: str, wrong: Sequence[
     )(list_check(name, key))
 
 
-def strata(n: int) -> list[Entry]:
-    """The rows of Table 6.1 for surfaces in Rⁿ."""
-    return [entry for entry in reference("table 6.1").entries if entry.id.startswith(f"{n}-")]
-
-
-def strata_check(n: int) -> Check:
-    """The check of the rows of Table 6.1 for one n, for a form with the codimensions of the projections."""
-
-    def check(form: str) -> Evidence:
-        """Both germs of a row: f with S = f(x, y, λ², v) for A(H), the projection for A.
-
-        f must have the codimension listed and be stable, that is of extended codimension 0. The projection is
-        also made from S itself, as x·S(x, y, x, y/x), and must have the same codimension as the one listed.
-        """
-        lines = []
-        for entry, value in zip(strata(n), _values(form, strata(n))):
-            for signs, parameters in entry.tried():
-                germ = entry.germ(signs, **parameters)
-                found = (codimension(germ, "A(H)").value, codimension(germ, "A(H)", extended=True).value)
-                projection = codimension(entry.projected(signs, **parameters), "A").value
-                made = codimension(entry.projected_secant(signs, **parameters), "A").value
-                line = (
-                    f"{entry.formula(signs, **parameters)}: codimensions {found[0]} and {found[1]}; "
-                    f"projection {projection}, from the secant germ {made}"
-                )
-                lines.append(line)
-                if found != (entry.value("cod", **parameters), 0) or not projection == made == int(value):
-                    return Evidence(False, (line,))
-        return Evidence(True, tuple(lines))
-
-    return check
-
-
-def _register_strata(n: int, wrong: tuple[int, str]) -> None:
-    values = [entry.values["cod_projection"] for entry in strata(n)]
-    target = f"n = {n}" if n < 8 else "n ≥ 8 (n = 8)"
-    claim(
-        f"table 6.1-{n}",
-        f"{target}: the secant germs are stable, and their projections have these A-codimensions.",
-        method=Method.EXACT,
-        form=", ".join(values),
-        wrong=[_replaced(values, *wrong), _replaced(values, 0, str(int(values[0]) + 1))],
-    )(strata_check(n))
-
-
 for _list in LISTS:
     _register_list(*_list)
-for _n, _wrong in STRATA.items():
-    _register_strata(_n, _wrong)

@@ -64,7 +64,7 @@ def frenet(form: str) -> Evidence:
     scalars = {"kappa": turned(GENERIC.curvature), "tau": -turned(GENERIC.torsion)}
     return same(
         [turned_rate(v) for v in GENERIC.frenet_frame],
-        read_vectors(form, scalars, frame),
+        read_vectors(form, scalars, frame, 3),
         "T', N', B'",
     )
 
@@ -74,15 +74,16 @@ def frenet(form: str) -> Evidence:
     "The unit vector V = (τT − κB)/β, β = √(κ² + τ²), spans the kernel of the Frenet–Serret matrix.",
     method=Method.PROOF,
     form="(tau*T - kappa*B)/beta",
-    wrong=("(tau*T + kappa*B)/beta", "(kappa*T - tau*B)/beta", "tau*T - kappa*B"),
+    wrong=("(tau*T + kappa*B)/beta", "(kappa*T - tau*B)/beta", "tau*T - kappa*B", "(kappa*B - tau*T)/beta"),
 )
 def kernel(form: str) -> Evidence:
-    """The matrix with the rows T', N', B' in the frame, times the components of V; and |V|²."""
-    (v,) = read_vectors(form, SCALARS, FRENET)
+    """The matrix with the rows T', N', B' in the frame, times the components of V; |V|²; ⟨V, T⟩ = τ̄."""
+    (v,) = read_vectors(form, SCALARS, FRENET, 1)
     matrix = sp.Matrix([moved(T), moved(N), moved(B)])
     image = tuple(matrix * sp.Matrix(v))
     zero = (sp.S.Zero,) * 3
     unit = vanishes(dot(v, v) - 1, "|V|² = 1", [RELATION])
+    unit &= vanishes(dot(v, T) - tau / beta, "⟨V, T⟩ = τ̄", [RELATION])
     only = Evidence(matrix.rank() == 2, (f"rank of the matrix: {matrix.rank()}",))
     return same([image], [zero], "matrix times V", [RELATION]) & unit & only
 
@@ -96,7 +97,7 @@ def kernel(form: str) -> Evidence:
 )
 def companion(form: str) -> Evidence:
     """The cross product of V of (2.14) with N, in the positively oriented frame {T, N, B}."""
-    return same([cross(V, N)], read_vectors(form, SCALARS, FRENET), "V × N")
+    return same([cross(V, N)], read_vectors(form, SCALARS, FRENET, 1), "V × N")
 
 
 @claim(
@@ -108,7 +109,7 @@ def companion(form: str) -> Evidence:
 )
 def inverse(form: str) -> Evidence:
     """V and W by (2.14), (2.15), put into the right-hand sides; β² = κ² + τ²."""
-    return same([T, B], read_vectors(form, SCALARS, DARBOUX), "T, B", [RELATION])
+    return same([T, B], read_vectors(form, SCALARS, DARBOUX, 2), "T, B", [RELATION])
 
 
 @claim(
@@ -120,7 +121,7 @@ def inverse(form: str) -> Evidence:
 )
 def darboux_vector(form: str) -> Evidence:
     """The cross products against the derivatives (2.13), and Ω against βV."""
-    (omega,) = read_vectors(form, SCALARS, FRENET)
+    (omega,) = read_vectors(form, SCALARS, FRENET, 1)
     products = [cross(v, omega) for v in (T, N, B)]
     along = same([omega], [scale(beta, V)], "Ω = βV")
     return same(products, [moved(v) for v in (T, N, B)], "X × Ω against X'") & along
@@ -135,7 +136,7 @@ def darboux_vector(form: str) -> Evidence:
 )
 def orientation(form: str) -> Evidence:
     """N × W by components in {T, N, B}; the six inner products."""
-    product = same([cross(N, W)], read_vectors(form, SCALARS, DARBOUX), "N × W", [RELATION])
+    product = same([cross(N, W)], read_vectors(form, SCALARS, DARBOUX, 1), "N × W", [RELATION])
     frame = (N, W, V)
     for i in range(3):
         for j in range(i, 3):
@@ -157,7 +158,7 @@ def orientation(form: str) -> Evidence:
 def motion(form: str) -> Evidence:
     """N, W, V in components along {T, N, B}, differentiated by (2.13); κ, τ are generic functions."""
     gamma = RATIO_SLOPE / (1 + (tau / kappa) ** 2)
-    stated = read_vectors(form, {**SCALARS, "gamma": gamma}, DARBOUX)
+    stated = read_vectors(form, {**SCALARS, "gamma": gamma}, DARBOUX, 3)
     return same([moved(N), moved(W), moved(V)], stated, "N', W', V'", [RELATION])
 
 
@@ -185,7 +186,7 @@ def frame_rate_from_quotients(form: str) -> Evidence:
     """⟨V', W⟩ from (2.13) against quotients of τ̄' and κ̄'."""
     scalars = {**SCALARS, "taub1": by_arc_length(tau / beta), "kappab1": by_arc_length(kappa / beta)}
     evidence = Evidence(True)
-    for stated, name in zip(read_tuple(form, scalars), ("τ̄'/κ̄", "−κ̄'/τ̄"), strict=True):
+    for stated, name in zip(read_tuple(form, scalars, 2), ("τ̄'/κ̄", "−κ̄'/τ̄"), strict=True):
         evidence &= vanishes(GAMMA - stated, f"⟨V', W⟩ against {name}", [RELATION])
     return evidence
 
@@ -213,7 +214,7 @@ def ratio_slope(form: str) -> Evidence:
 )
 def third_derivative(form: str) -> Evidence:
     """(κN)' by (2.13)."""
-    return same([DERIVATIVES[1]], read_vectors(form, {**SCALARS, **JETS}, DARBOUX), "α'''")
+    return same([DERIVATIVES[1]], read_vectors(form, {**SCALARS, **JETS}, DARBOUX, 1), "α'''")
 
 
 @claim(
@@ -226,7 +227,7 @@ def third_derivative(form: str) -> Evidence:
 def osculating_product(form: str) -> Evidence:
     """The cross product of the components of α'' and α'''."""
     product = cross(DERIVATIVES[0], DERIVATIVES[1])
-    return same([product], read_vectors(form, SCALARS, DARBOUX), "α'' × α'''")
+    return same([product], read_vectors(form, SCALARS, DARBOUX, 1), "α'' × α'''")
 
 
 @claim(
@@ -238,7 +239,7 @@ def osculating_product(form: str) -> Evidence:
 )
 def fourth_derivative(form: str) -> Evidence:
     """Inner products of components; γ = ⟨V', W⟩."""
-    third, fourth = read_tuple(form, {**SCALARS, "gamma": GAMMA})
+    third, fourth = read_tuple(form, {**SCALARS, "gamma": GAMMA}, 2)
     evidence = vanishes(dot(V, DERIVATIVES[1]) - third, "⟨V, α'''⟩", [RELATION])
     for value in (dot(V, DERIVATIVES[2]), -dot(moved(V), DERIVATIVES[1])):
         evidence &= vanishes(value - fourth, "⟨V, α''''⟩", [RELATION])

@@ -39,7 +39,7 @@ def usual_darboux_vector(form: str) -> Evidence:
     """The frame of a generic jet, differentiated, against cross products; compared in turned coordinates."""
     frame = {name: turned_vector(v) for name, v in zip("TNB", GENERIC.frenet_frame)}
     scalars = {"kappa": turned(GENERIC.curvature), "tau": turned(GENERIC.torsion)}
-    (omega,) = read_vectors(form, scalars, frame)
+    (omega,) = read_vectors(form, scalars, frame, 1)
     products = [cross(omega, v) for v in frame.values()]
     return same(products, [turned_rate(v) for v in GENERIC.frenet_frame], "Ω × X against X'")
 
@@ -97,7 +97,7 @@ def slopes(form: str) -> Evidence:
     evidence = Evidence(True)
     programmed = (jet.curvature_slope, jet.torsion_slope)
     for name, function, stated, run in zip(
-        "κτ", (jet.curvature, jet.torsion), read_tuple(form, names), programmed
+        "κτ", (jet.curvature, jet.torsion), read_tuple(form, names, 2), programmed, strict=True
     ):
         derived = turned(derivative(function) / speed)
         evidence &= vanishes(derived - turned(stated), f"{name}' of a jet")

@@ -9,6 +9,7 @@ from typing import Any
 import mpmath as mp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.proof import integers
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.biarcs import Biarc, equioscillating, extremes, junction_circle, member
 
@@ -92,7 +93,7 @@ def crosses_once(form: str) -> Evidence:
     changes = _changes(sides)
     most = max(_changes([d > 0 for d in row]) for row in _measured())
     return Evidence(
-        changes == most == int(form),
+        (changes,) == (most,) == integers(form, 1),
         (f"{changes} crossing of the circle; at most {most} change of sign of d",),
     )
 

@@ -10,7 +10,7 @@ from flint import acb, arb
 
 from osculant.cas.balls import ball, constant, precision
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read_tuple
+from osculant.cas.claims.proof import integers, rounding
 from osculant.cas.errors import DomainError
 from osculant.cas.formula import parse_tuple
 from osculant.cas.invariants import PlaneJet
@@ -114,8 +114,8 @@ def _power(base: Any, exponent: int) -> Any:
 
 
 def _rounds(value: Any, form: str) -> Evidence:
-    half_unit = arb(10) ** -len(form.partition(".")[2]) / 2
-    return Evidence(bool(abs(value - arb(form)) < half_unit), (f"the constant is {value.str(15)}",))
+    shown, half_unit = (arb(q.numerator) / q.denominator for q in rounding(form, 6))
+    return Evidence(bool(abs(value - shown) < half_unit), (f"the constant is {value.str(15)}",))
 
 
 def _counts(form: str, arc: tuple[str, str, str], primitive: str, copies: int) -> Evidence:
@@ -125,7 +125,7 @@ def _counts(form: str, arc: tuple[str, str, str], primitive: str, copies: int) -
         real = [value * arb(10**n).root(order) for n in TOLERANCES]
         counts = [copies * z.ceil().unique_fmpz() for z in real]
     line = f"{copies} × " + ", ".join(z.str(8, radius=False) for z in real)
-    claimed = [int(n) for n in read_tuple(form, {})]
+    claimed = list(integers(form, len(TOLERANCES)))
     return Evidence(None not in counts and [int(n) for n in counts] == claimed, (line,))
 
 

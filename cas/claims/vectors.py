@@ -16,7 +16,7 @@ from osculant.cas.space_curves import Vector3, subtract
 
 
 def read_vectors(
-    form: str, scalars: Mapping[str, Any], vectors: Mapping[str, Vector3]
+    form: str, scalars: Mapping[str, Any], vectors: Mapping[str, Vector3], count: int | None = None
 ) -> tuple[Vector3, ...]:
     """The vectors that a form's linear combinations stand for.
 
@@ -24,8 +24,9 @@ def read_vectors(
         form: one or more linear combinations, separated by commas.
         scalars: what the names of numbers mean.
         vectors: what the names of vectors mean, by components along some basis.
+        count: how many there must be.
 
-    Raises DomainError for a part that is not linear in the vectors.
+    Raises DomainError for a part that is not linear in the vectors, or another number of parts.
 
     >>> a = sp.Symbol("a")
     >>> read_vectors("a*E, F - E", {"a": a}, {"E": (1, 0, 0), "F": (0, 1, 0)})
@@ -33,7 +34,7 @@ def read_vectors(
     """
     names = {name: sp.Dummy(name) for name in vectors}
     places = {names[name]: vector for name, vector in vectors.items()}
-    return tuple(combine(part, places) for part in read_tuple(form, {**scalars, **names}))
+    return tuple(combine(part, places) for part in read_tuple(form, {**scalars, **names}, count))
 
 
 def same(

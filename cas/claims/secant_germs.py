@@ -1,0 +1,288 @@
+"""Chapter 6: secant germs of generic surfaces and their projections (Table 6.1), and what it leaves out."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from osculant.cas.claims.claim import Check, Evidence, Method, claim
+from osculant.cas.claims.proof import integers, read, read_tuple, vanishes
+from osculant.cas.errors import DomainError
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.codimension import codimension
+from osculant.cas.germs.family import Family
+from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.local_algebra import multiplicity
+from osculant.cas.germs.parameters import codimension_of_family, moduli
+from osculant.cas.germs.reference import Entry, reference
+from osculant.cas.germs.secants import RING, chord, secant_germ
+from osculant.cas.germs.unfolding import is_stable
+
+#: the projection P₃(c), and the same without its first component: the graph of a surface in R⁴
+P3, GRAPH = "y, x*y + x**3, x**2*y + c*x**4", "x*y + x**3, x**2*y + c*x**4"
+#: rows of the table as corrected that the thesis does not have
+MISSING = {"4-P_3", "5-7"}
+#: the secant germs depend on (p, w): strata of codimension at most 3 occur
+DIMENSION = 3
+
+
+def _rows(n: int) -> list[Entry]:
+    return [e for e in reference("table 6.1").entries if e.id.startswith(f"{n}-") and e.id not in MISSING]
+
+
+def _codimensions(entry: Entry) -> tuple[int, int, bool]:
+    """(A(H)-codimension of the secant germ, A-codimension of the projection, stability) for all signs."""
+    found = set()
+    for signs, parameters in entry.tried():
+        germ, projection = entry.germ(signs, **parameters), entry.projected(signs, **parameters)
+        pair = codimension(germ, "A(H)").value, codimension(projection, "A").value
+        found.add((*pair, is_stable(germ, "A(H)")))
+    if len(found) > 1 or "infinite" in next(iter(found)):
+        raise DomainError(f"Row {entry.id} has the codimensions {sorted(map(str, found))}, not one pair.")
+    a, b, stable = found.pop()
+    return int(a), int(b), stable
+
+
+def _table_check(n: int) -> Check:
+    def check(form: str) -> Evidence:
+        """A(H)-codimension of f with S = f(x̄, ȳ, λ², v) and A-codimension of π, for every sign; exactly.
+
+        Each S must be stable, and the rule of the strata must hold: cod S + cod π − (the least cod π in the
+        orbit of S) = cod π − (n − 2) ≤ 3, the dimension of the pairs (p, w).
+        """
+        claimed = [tuple(int(k) for k in pair.split("/")) for pair in form.split(",")]
+        evidence = Evidence(True)
+        least = 0
+        computed = []
+        for entry in _rows(n):
+            secant, projection, stable = _codimensions(entry)
+            least = least if "further stratum" in entry.note else projection
+            stratum = secant + projection - least
+            rule = stratum == projection - (n - 2) <= DIMENSION
+            computed.append((secant, projection))
+            line = (
+                f"S = ({entry.text}): codimension {secant}, {'' if stable else 'not '}stable; "
+                f"π = ({entry.projection}): {projection}; stratum {stratum}"
+            )
+            evidence &= Evidence(stable and rule, (line,))
+        return evidence & Evidence(computed == claimed, ())
+
+    return check
+
+
+#: by n, the pairs cod S/cod π as printed, and wrong ones
+PRINTED = {
+    3: (
+        "0/1, 0/2, 0/3, 0/4, 2/3, 3/4, 3/4",
+        ("0/1, 0/2, 0/3, 0/4, 1/3, 3/4, 3/4", "0/1, 0/2, 0/3, 0/4, 2/3, 3/4, 3/5"),
+    ),
+    4: ("0/2, 1/3, 1/4, 1/5, 2/4, 2/4, 3/5, 3/5, 3/5", ("0/2, 1/3, 1/4, 1/5, 2/4, 2/4, 3/5, 3/5, 3/6",)),
+    5: ("0/3, 1/4, 2/5, 2/5, 3/6, 3/6", ("0/3, 1/4, 2/5, 2/6, 3/6, 3/6",)),
+    6: ("0/4, 2/6, 3/7", ("0/4, 1/5, 3/7", "0/4, 2/5, 3/7")),
+    7: ("0/5, 3/8", ("0/5, 2/7",)),
+    8: ("0/6", ("0/7", "1/6")),
+}
+
+for _n, (_form, _wrong) in PRINTED.items():
+    claim(
+        f"table 6.1-n{_n}",
+        f"n = {_n}: the codimensions of secant germ/projection row by row; every secant germ is stable.",
+        method=Method.EXACT,
+        form=_form,
+        wrong=_wrong,
+    )(_table_check(_n))
+
+
+@claim(
+    "lemma 6.2.1",
+    "The germ of the secant map at the diagonal is even in λ: so it is f(x̄, ȳ, λ², v).",
+    method=Method.EXACT,
+    form="even",
+    wrong=("odd",),
+)
+def evenness(form: str) -> Evidence:
+    """For the monomials x^i y^j, i + j ≤ 9; λ → −λ exchanges p and q, and the divisor changes sign."""
+    if form not in {"even", "odd"}:
+        raise DomainError(f"{form!r} is no parity: even or odd.")
+    lam = RING.gens[2]
+    for i in range(10):
+        for j in range(10 - i):
+            h = chord({poly.monomial((i, j)): 1})
+            if h.compose(lam, -lam) != (h if form == "even" else -h):
+                return Evidence(False, (f"for x^{i}y^{j} it is {h}",))
+    return Evidence(True, ("(g(p̄/2 + λω/2) − g(p̄/2 − λω/2))/λ for the 55 monomials g of degree at most 9",))
+
+
+@claim(
+    "remark 6.2.3",
+    "The projection along the x-axis is π = factor·S with x̄ = x, ȳ = y, λ = x, v = y/x, for factor = x.",
+    method=Method.PROOF,
+    form="x",
+    wrong=("2*x", "x**2", "y"),
+)
+def projection_from_secants(form: str) -> Evidence:
+    """For g = Σ c_ij x^i y^j of degree at most 5: then q = (x, y) and p = 0, and g(q) − g(p) = g."""
+    x, y = sp.symbols("x y")
+    factor = read(form, {"x": x, "y": y})
+    difference: Any = 0
+    for i in range(6):
+        for j in range(6 - i):
+            if i + j > 1:
+                h = chord({poly.monomial((i, j)): 1}).as_expr(x, y, x, y / x)
+                difference += sp.Symbol(f"c_{i}_{j}") * (factor * h - x**i * y**j)
+    return vanishes(difference, "factor·S against g")
+
+
+@claim(
+    "theorem 6.3.1-n5",
+    "For n = 5 projections of these multiplicities occur on strata of codimension at most 3.",
+    method=Method.EXACT,
+    form="2, 3",
+    printed="2",
+    wrong=("3", "2, 4"),
+    erratum=(
+        "Theorem 6.3.1 and Remark 6.3.2 (1) leave out, for n = 5, π = (y, xy, x³, x²y + x⁴): it has "
+        "A-codimension 6, and its secant germ is stable (orbit 4f of Table 6.2)."
+    ),
+)
+def missing_projection(form: str) -> Evidence:
+    """Multiplicities of all projections printed; and of π = (y, xy, x³, x²y + x⁴) if its stratum occurs.
+
+    It occurs if the secant germ of the surface with this projection, and its normal form (v, ȳ, u + x̄²,
+    x̄ȳ + x̄³ + vx̄²), are stable, with cod S + cod π − (least cod π) = cod S ≤ 3, and cod π − (n − 2) the same.
+    """
+    found = {multiplicity(entry.projected(*_first(entry))) for entry in _rows(5)}
+    lines = [f"the rows printed have multiplicities {sorted(found)}"]
+    entry = reference("table 6.1")["5-7"]
+    secant, projection, stable = _codimensions(entry)
+    own = secant_germ("x*y, x**3, x**2*y + x**4")
+    own_codimension = codimension(own, "A(H)").value
+    normal, several = entry.germ(), multiplicity(entry.projected())
+    occurs = stable and is_stable(own, "A(H)") and own_codimension == secant == projection - 3 <= DIMENSION
+    lines.append(
+        f"S = {normal} and the secant germ {own}: codimensions {secant} and {own_codimension}, stable; "
+        f"π = ({entry.projection}): A-codimension {projection}, multiplicity {several}"
+    )
+    if occurs:
+        found.add(several)
+    return Evidence(sorted(found) == list(integers(form)), tuple(lines))
+
+
+def _first(entry: Entry) -> tuple[Any, ...]:
+    return (next(entry.tried())[0],)
+
+
+@claim(
+    "theorem 6.3.1-n4",
+    "For n = 4 the strata of projections of multiplicity 3 that occur have these codimensions.",
+    method=Method.EXACT,
+    form="4, 5, 5",
+    printed="4, 5",
+    wrong=("4, 5, 6", "4, 5, 5, 5"),
+    erratum=(
+        "Theorem 6.3.1 leaves out, for n = 4, the stratum of π = (y, xy + x³, x²y + cx⁴): A-codimension 6 "
+        "with the modulus c, so of codimension 5, which is 3 in the pairs (p, w)."
+    ),
+)
+def missing_stratum(form: str) -> Evidence:
+    """A-codimension of P₃(c) and whether c is a modulus, for c indeterminate: over ℚ(c), exactly.
+
+    Its 2-jet (y, xy, 0) is that of the H_k, which the theorem lists; it occurs if secant germs of surfaces
+    with this projection are stable.
+    """
+    printed = [_codimensions(e)[1] for e in _rows(4) if multiplicity(e.projected(*_first(e))) == 3]
+    family = Family(P3, "x y", "c")
+    whole = moduli(family, "A")
+    member = reference("table 6.1")["4-P_3"]
+    secant, projection, stable = _codimensions(member)
+    several = multiplicity(family.at(c=2))
+    lines = (
+        f"H_k: codimensions {printed}",
+        f"P₃(c): A-codimension {whole.codimension}, {whole.number} modulus, multiplicity {several}; secant "
+        f"germ at c = {', '.join(str(v) for v in member.parameters[0].tried)}: codimension {secant}, stable",
+    )
+    if stable and several == 3 and whole.codimension == projection:
+        printed.append(whole.stratum)
+    return Evidence(tuple(sorted(printed)) == integers(form), lines)
+
+
+@claim(
+    "X6.3-1",
+    "P₃(c) = (y, xy + x³, x²y + cx⁴) has A-codimension 6 and is finite unless c is one of these.",
+    method=Method.EXACT,
+    form="0, 1/2, 1, 3/2",
+    wrong=("0, 1/2, 1", "0, 1/2, 3/2", "1/2, 1, 3/2", "0, 1/2, 1, 3/2, 2"),
+)
+def exceptional_moduli(form: str) -> Evidence:
+    """Zeros of the diagonal form over ℚ[c] of the tangent space; and, apart from it, multiple points.
+
+    Pairs x₁ ≠ x₂ with the same image satisfy y = −(x₁² + x₁x₂ + x₂²) and D = 0, where
+    D = (x₁ + x₂)((c − 1)(x₁² + x₂²) − x₁x₂); a third point x₃ = −x₁ − x₂ has (c − 1)(x₁² + x₁x₂ + x₂²) = 0
+    besides. A germ of corank 1 is finitely determined exactly if the double point curve is reduced and the
+    triple points are isolated (Marar and Mond): a discriminant and a resultant say for which c.
+    """
+    found = codimension_of_family(Family(P3, "x y", "c"), "A", curves=False)
+    values = {e.value for e in found.exceptional}
+    c, a, b, y = sp.symbols("c a b y")
+
+    def difference(x1: Any, x2: Any) -> Any:
+        return sp.cancel(((x1**2 * y + c * x1**4) - (x2**2 * y + c * x2**4)) / (x1 - x2))
+
+    third = -a - b
+    solved = -(a**2 + a * b + b**2)
+    double = sp.Poly(sp.expand(difference(a, b).subs(y, solved).subs(b, 1)), a)  # homogeneous in a and b
+    triple = sp.cancel((difference(a, b) - difference(a, third)) / (b - third)).subs(y, solved).subs(b, 1)
+    conditions = sp.discriminant(double, a), sp.resultant(double.as_expr(), sp.expand(triple), a)
+    degenerate = {Fraction(str(r)) for condition in conditions for r in sp.roots(sp.Poly(condition, c))}
+    claimed = [Fraction(str(part)) for part in read_tuple(form, {})]
+    lines = (
+        f"A-codimension {found.value} for c indeterminate, in jets of order {found.order}",
+        *(f"{e}" for e in found.exceptional),
+        f"multiple points degenerate at c = {', '.join(map(str, sorted(degenerate)))}",
+    )
+    return Evidence(sorted(values) == sorted(degenerate) == claimed, lines)
+
+
+@claim(
+    "X6.3-2",
+    "The secant germ of a surface with the projection P₃(c) has the genotype x((2c − 1)u + (2c − 3)x²)/4.",
+    method=Method.EXACT,
+    form="x*((2*c - 1)*u + (2*c - 3)*x**2)/4",
+    wrong=("x*((2*c - 1)*u + (2*c + 3)*x**2)/4", "x*((2*c - 3)*u + (2*c - 1)*x**2)/4"),
+)
+def genotype(form: str) -> Evidence:
+    """f = (v, f₃, f₄) on v = 0, f₃ = 0, which is solved for y; at as many values of c as its degree wants."""
+    x, y, u, c = sp.symbols("x y u c")
+    names = {"x": x, "y": y, "u": u}
+    claimed = read(form, {"x": x, "u": u, "c": c})
+    evidence = Evidence(True)
+    for value in (2, -1, 5):
+        germ = secant_germ(GRAPH.replace("c", f"({value})"))
+        third, fourth = (read(text, {**names, "v": sp.Integer(0)}) for text in germ.text(6)[1:])
+        (solution,) = sp.solve(third, y)
+        evidence &= vanishes(
+            sp.expand(fourth.subs(y, solution)) - claimed.subs(c, value), f"genotype at c = {value}"
+        )
+    return evidence
+
+
+@claim(
+    "remark 6.3.2.1",
+    "For n = 4 the projections S_k = (y, x², x³ ± xy^(k+1)) occur for k up to this.",
+    method=Method.EXACT,
+    form="3",
+    printed="4",
+    wrong=("2", "5"),
+    erratum="Remark 6.3.2 (1) names S₀, …, S₄: S₄ has A-codimension 6, and only S_k with k ≤ 3 are generic.",
+)
+def crosscaps(form: str) -> Evidence:
+    """A-codimension of S_k, k = 0, …, 5, both signs; it occurs if that less n − 2 = 2 is at most 3."""
+    largest, lines = -1, []
+    for k in range(6):
+        found = {codimension(Germ(f"y, x**2, x**3 {s} x*y**{k + 1}", "x y"), "A").value for s in "+-"}
+        lines.append(f"S_{k}: A-codimension {', '.join(map(str, found))}")
+        if all(size != "infinite" and size - 2 <= DIMENSION for size in found):
+            largest = k
+    return Evidence((largest,) == integers(form, 1), tuple(lines))

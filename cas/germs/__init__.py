@@ -1,0 +1,1 @@
+"""Map-germs: jets, groups of equivalences, tangent spaces and what follows from them, exactly."""

@@ -1,0 +1,150 @@
+"""Tangent spaces of group orbits in spaces of jets, as the rows of a sparse matrix.
+
+T G f is spanned by x^α·df(ξ) for the source fields ξ, and by f^β e_j (A, L) or x^α f_i e_j (K, C). The
+version of the group sets the least order of the vector fields that are used: x^α ξ in the source, y^β ∂/∂y_j
+in the target (K counts α alone there, since f vanishes at 0).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from math import lcm
+
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.groups import Field, Group, Version
+from osculant.cas.germs.linear import null_space
+from osculant.cas.germs.polynomials import Polynomial
+
+Vector = tuple[Polynomial, ...]
+
+
+@dataclass(frozen=True)
+class JetSpace:
+    """The jets of order k of maps in n variables with p components, constants included; columns by degree.
+
+    >>> space = JetSpace(2, 1, 2)
+    >>> space.columns, space.degree(0), space.degree(5)
+    (6, 0, 2)
+    """
+
+    n: int
+    p: int
+    order: int
+
+    @property
+    def columns(self) -> int:
+        """The dimension p·C(n + k, k)."""
+        return self.p * len(poly.monomials(self.n, self.order))
+
+    def place(self) -> dict[int, int]:
+        """The number of each monomial; component j of monomial number i has column p·i + j."""
+        return {m: i for i, m in enumerate(poly.monomials(self.n, self.order))}
+
+    def degree(self, column: int) -> int:
+        """The degree of a column's monomial."""
+        return poly.degree_of(poly.monomials(self.n, self.order)[column // self.p], self.n)
+
+    def term(self, column: int) -> tuple[int, int]:
+        """(monomial, component) of a column."""
+        return poly.monomials(self.n, self.order)[column // self.p], column % self.p
+
+    def row(self, vector: Vector, place: dict[int, int]) -> dict[int, int]:
+        """The vector as an integer row (a multiple of it, where it has denominators)."""
+        entries = {self.p * place[m] + j: c for j, f in enumerate(vector) for m, c in f.items()}
+        common = lcm(*(Fraction(c).denominator for c in entries.values()))
+        return {column: int(c * common) for column, c in entries.items()}
+
+
+def along(jet: Vector, field: Field, n: int, order: int) -> Vector:
+    """df(ξ) up to degree ``order``; the jet must be known one degree further where ξ(0) is not 0.
+
+    >>> x = poly.variable(0, 1)
+    >>> along(({2 * x: 1},), ({x: 1},), 1, 3) == ({2 * x: 2},)
+    True
+    """
+    found = []
+    for f in jet:
+        total: Polynomial = {}
+        for i, coefficient in enumerate(field):
+            if coefficient:
+                total = poly.plus(total, poly.times(coefficient, poly.derivative(f, i, n), n, order))
+        found.append(total)
+    return tuple(found)
+
+
+def order_of(vector: Iterable[Polynomial], n: int) -> int:
+    """The least degree of a term of a vector of polynomials."""
+    return min(poly.order_of(f, n) for f in vector)
+
+
+def vectors(germ: Germ, group: Group, version: Version, order: int) -> Iterator[Vector]:
+    """Spanning vectors of the tangent space of that version of the group, modulo terms above ``order``."""
+    n, jet = germ.n, germ.jet(order + 1)
+    every = poly.monomials(n, order)
+    for field, least in _fields(germ, group, version):
+        image = along(jet, field, n, order)
+        yield from _multiples(image, (m for m in every if poly.degree_of(m, n) >= least), n, order)
+    jet = germ.jet(order)
+    if group.target == "left":
+        for beta, power in poly.powers(jet, n, order):
+            if sum(beta) >= version:
+                yield from _units(power, germ.p)
+    elif group.target == "contact":
+        least = max(0, version - 1)
+        for f in jet:
+            for m in every:
+                if poly.degree_of(m, n) >= least:
+                    yield from _units(_shifted(f, m, n, order), germ.p)
+
+
+def _fields(germ: Germ, group: Group, version: Version) -> Iterator[tuple[Field, int]]:
+    """(field, least degree of its multipliers): they span the fields of the module of order ≥ version."""
+    n, generators = germ.n, group.generators(germ)
+    if group.source != "own":  # the generators' leading terms are independent
+        for field in generators:
+            yield field, max(0, version - order_of(field, n))
+        return
+    low = [
+        tuple(_shifted(c, m, n, poly.LARGEST) for c in field)
+        for field in generators
+        for m in poly.monomials(n, version - 1)
+    ]
+    for field in generators:
+        yield field, version
+    # combinations of the other multiples may vanish to that order too
+    terms = sorted({(m, j) for field in low for j, c in enumerate(field) for m in c if _below(m, n, version)})
+    conditions = [[Fraction(field[j].get(m, 0)) for field in low] for m, j in terms]
+    for weights in null_space(conditions, len(low)):
+        total: list[Polynomial] = [{} for _ in range(n)]
+        for weight, field in zip(weights, low):
+            total = [poly.plus(a, b, weight) if weight else a for a, b in zip(total, field)]
+        yield tuple(total), 0
+
+
+def _below(m: int, n: int, degree: int) -> bool:
+    return poly.degree_of(m, n) < degree
+
+
+def _shifted(f: Polynomial, m: int, n: int, order: int) -> Polynomial:
+    top = order + 1 << poly.BITS * n
+    return {m + k: c for k, c in f.items() if m + k < top}
+
+
+def _multiples(vector: Vector, multipliers: Iterable[int], n: int, order: int) -> Iterator[Vector]:
+    for m in multipliers:
+        yield tuple(_shifted(f, m, n, order) for f in vector)
+
+
+def _units(f: Polynomial, p: int) -> Iterator[Vector]:
+    if f:
+        for j in range(p):
+            yield tuple(f if i == j else {} for i in range(p))
+
+
+def rows(vectors_: Iterable[Vector], space: JetSpace) -> list[dict[int, int]]:
+    """The vectors as integer rows; zero vectors are left out."""
+    place = space.place()
+    return [row for v in vectors_ if (row := space.row(v, place))]

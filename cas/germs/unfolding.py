@@ -1,0 +1,107 @@
+"""Stability, versal unfoldings and the stable unfoldings of a genotype.
+
+A germ is stable for A or A(H) exactly if θ = T K_e f + (constants) (Mather; for the boundary, thesis 6.4).
+The terms that span θ modulo T G_e f make a miniversal unfolding f + Σ tᵢφᵢ; those that span Mθ modulo T K_e
+g make the least stable unfolding of a genotype g.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from osculant.cas.errors import DomainError
+from osculant.cas.expression import Node, variable
+from osculant.cas.germs.annihilator import annihilator
+from osculant.cas.germs.codimension import codimension, contact_bound
+from osculant.cas.germs.germ import Germ, as_node
+from osculant.cas.germs.groups import Group, Version, group
+from osculant.cas.germs.infinite import Curve
+from osculant.cas.germs.tangent import JetSpace, Vector, rows, vectors
+
+Term = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Unfolding:
+    """The unfolding (t, f + Σ tᵢφᵢ): its ``terms`` φᵢ, as (monomial, component), and the germ as a whole."""
+
+    terms: tuple[Term, ...]
+    germ: Germ
+
+
+def is_stable(germ: Germ, name: str | Group) -> bool:
+    """Whether the germ is stable for A or A(H), decided exactly.
+
+    Raises DomainError for groups without target changes of coordinates, UndecidedError if K-finiteness is not
+    settled.
+
+    >>> is_stable(Germ("x, x*y + y**3", "x y"), "A"), is_stable(Germ("x, y**3", "x y"), "A")
+    (True, False)
+    """
+    g = group(name)
+    if g.target != "left":
+        raise DomainError(f"Stability is asked of A or A(H), not of {g.name}.")
+    bound = contact_bound(germ, g)
+    if isinstance(bound, Curve):
+        return False  # a stable germ is K-finite
+    return not _beyond_constants(germ, g, bound)
+
+
+def _beyond_constants(germ: Germ, g: Group, bound: int) -> bool:
+    """Whether T K_e f + constants is less than everything; T K_e f contains M^bound θ."""
+    space = JetSpace(germ.n, germ.p, max(bound, 1))
+    contact = Group(g.name, g.source, "contact", g.fields)
+    constants: list[Vector] = [tuple({0: 1} if i == j else {} for i in range(germ.p)) for j in range(germ.p)]
+    spanning = [*vectors(germ, contact, Version.EXTENDED, space.order), *constants]
+    return annihilator(rows(spanning, space), space.columns).codimension > 0
+
+
+def unfolding(germ: Germ, name: str | Group, parameter: str = "t") -> Unfolding:
+    """A miniversal unfolding, with as many parameters as the extended codimension, for R one less.
+
+    Constants are no parameters of a function up to R: the value at the critical point is left out.
+
+    Raises DomainError if the codimension is infinite: there is no versal unfolding then.
+
+    >>> unfolding(Germ("x**4", "x"), "R").germ.text(4)[-1]
+    't1*x + t2*x**2 + x**4'
+    """
+    g = group(name)
+    found = codimension(germ, g, extended=True)
+    if found.tangent is None:
+        raise DomainError(f"{germ} has no versal unfolding: its {g.name} codimension is infinite.")
+    terms = found.tangent.complement()
+    if g.target == "none":  # functions up to R: constants are left out
+        terms = tuple(term for term in terms if term[0])
+    return Unfolding(terms, _unfolded(germ, terms, parameter))
+
+
+def stable_unfolding(genotype: Germ, name: str | Group, parameter: str = "t") -> Unfolding:
+    """The least stable unfolding of a germ g: by a basis of Mθ modulo T K_e g.
+
+    Raises DomainError if g is not K-finite.
+
+    >>> stable_unfolding(Germ("x**3", "x"), "A").germ.text(3)
+    ('t1', 't1*x + x**3')
+    """
+    g = group(name)
+    contact = Group(g.name, g.source, "contact", g.fields)
+    found = codimension(genotype, contact, extended=True)
+    if found.tangent is None:
+        raise DomainError(f"{genotype} has no stable unfolding: it is not finite along {found.curve}.")
+    terms = tuple(term for term in found.tangent.complement() if term[0])
+    return Unfolding(terms, _unfolded(genotype, terms, parameter))
+
+
+def _unfolded(germ: Germ, terms: tuple[Term, ...], parameter: str) -> Germ:
+    names = [f"{parameter}{i + 1}" for i in range(len(terms))]
+    clash = set(names) & set(germ.source)
+    if clash:
+        raise DomainError(
+            f"The name {sorted(clash)[0]!r} of a parameter is a source variable: choose another letter."
+        )
+    components: list[Node] = list(germ.components)
+    for name, (m, j) in zip(names, terms):
+        components[j] = components[j] + variable(name) * as_node({m: 1}, germ.source)
+    boundary = germ.boundary
+    return Germ([*map(variable, names), *components], (*names, *germ.source), boundary)

@@ -1,0 +1,144 @@
+"""Weights against Milnor numbers, families where a scaling moves the parameter, secant germs."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from osculant.cas.errors import DomainError
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.family import Family
+from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.groups import group
+from osculant.cas.germs.local_algebra import milnor_number
+from osculant.cas.germs.parameters import codimension_of_family
+from osculant.cas.germs.secants import chord, secant_germ
+from osculant.cas.germs.weights import milnor_orlik, not_isolated, weights
+
+ISOLATED = [
+    "x**2 + y**2",
+    "x**5 + y**2",
+    "x**2*y + y**4",
+    "x**3 + y**4",
+    "x**3 + x*y**3",
+    "x**3 + y**5",
+    "x**4 + x**2*y**2 + y**4",
+    "x**3 + y**7",
+]
+NOT_ISOLATED = [
+    "(x**2 + y**2)**2",
+    "x**2*y",
+    "x**2",
+    "(x**3 - 2*y**2)**2",
+    "(x + 3*y)**2*(x - y)",
+    "x**2*y**2",
+]
+
+
+@pytest.mark.parametrize("text", ISOLATED)
+def test_milnor_and_orlik(text: str) -> None:
+    germ = Germ(text, "x y")
+    assert milnor_orlik(germ) == milnor_number(germ)
+    assert not not_isolated(germ, group("R"))
+
+
+@pytest.mark.parametrize("text", NOT_ISOLATED)
+def test_critical_points_that_are_not_isolated(text: str) -> None:
+    assert not_isolated(Germ(text, "x y"), group("R"))
+    assert not_isolated(Germ(text, "x y"), group("K"))
+
+
+def test_no_proof_where_the_argument_does_not_apply() -> None:
+    for text, source, name in (
+        ("x**2 + x**3*y", "x y", "R"),
+        ("x, y**2, 0", "x y", "A"),
+        ("x**2*u", "x u", "R(H)"),
+        ("x**2, y**2", "x y", "K"),
+    ):
+        assert not not_isolated(Germ(text, source), group(name))
+
+
+@given(
+    st.lists(st.integers(1, 6), min_size=2, max_size=3),
+    st.lists(st.integers(4, 14), min_size=1, max_size=2),
+    st.integers(1, 5),
+)
+@settings(max_examples=40, deadline=None)
+def test_germs_made_of_monomials_of_one_weight_have_weights(source: list, target: list, c: int) -> None:
+    n = len(source)
+    components, used = [], []
+    for d in target:
+        terms = [
+            m
+            for m in poly.monomials(n, 14)
+            if m and sum(w * e for w, e in zip(source, poly.exponents_of(m, n))) == d
+        ]
+        used.append(terms)
+        products = ("*".join(f"x{i}**{e}" for i, e in enumerate(poly.exponents_of(m, n))) for m in terms)
+        components.append(" + ".join(f"{c}*{product}" for product in products) or "0")
+    found = weights(Germ(", ".join(components), [f"x{i}" for i in range(n)]))
+    assert found is not None
+    for terms, d in zip(used, found.target):
+        of_terms = {sum(w * e for w, e in zip(found.source, poly.exponents_of(m, n))) for m in terms}
+        assert of_terms <= {d}
+
+
+def test_germs_without_weights() -> None:
+    assert weights(Germ("x**2 + x**3", "x")) is None
+    assert weights(Germ("x, x*y + y**5 + y**7", "x y")) is None
+    with pytest.raises(DomainError):
+        weights(Germ("sin(x)", "x"))
+    with pytest.raises(DomainError):
+        milnor_orlik(Germ("x, y**2", "x y"))
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("y, x*y + x**3, x**2*y + 2*x**4 + a*x**5", "A"),
+        ("x, x*y + y**6 + a*y**9", "A"),
+        ("x**3 + y**4 + a*x*y**3", "R"),
+        ("x**3 + y**2 + a*x*y**2", "R"),
+    ],
+)
+def test_a_parameter_that_scalings_move_can_jump_only_at_zero(text: str, name: str) -> None:
+    """The scaling of the variables turns f_a into f_{ca} for every c but 0."""
+    family = Family(text, "x y", "a")
+    assert weights(family.at(a=0)) is not None
+    assert weights(family.at(a=1)) is None
+    whole = codimension_of_family(family, name, curves=False)
+    assert {e.value for e in whole.exceptional} <= {Fraction(0)}
+
+
+rationals = st.fractions(-3, 3, max_denominator=4)
+
+
+@given(st.tuples(rationals, rationals, rationals.filter(bool), rationals))
+@settings(max_examples=30, deadline=None)
+def test_secant_germs_at_rational_points(point: tuple) -> None:
+    x, y, k, v = point
+
+    def g(a: Fraction, b: Fraction) -> Fraction:
+        return a * b + a**3 - 2 * a**2 * b**3
+
+    expected = (g((x + k) / 2, (y + k * v) / 2) - g((x - k) / 2, (y - k * v) / 2)) / k
+    germ = secant_germ("x*y + x**3 - 2*x**2*y**3")
+    jet = germ.polynomial(10)
+    assert jet is not None
+    value = sum(
+        c * x**i * y**j * (k * k) ** e * v**m
+        for (i, j, e, m), c in ((poly.exponents_of(m, 4), c) for m, c in jet[1].items())
+    )
+    assert value == expected
+    assert jet[0] == {poly.variable(3, 4): 1}
+    assert germ.boundary == "u"
+
+
+def test_secant_germs_want_monge_form() -> None:
+    assert chord({}) == 0
+    for text in ("x + y**2", "sin(x*y)"):
+        with pytest.raises(DomainError):
+            secant_germ(text)
