@@ -1,17 +1,18 @@
-"""A plane curve in ball arithmetic: enclosures of its Taylor series over points and intervals."""
+"""A curve in ball arithmetic: enclosures of its Taylor series over points and intervals."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import cache
-from typing import Any
+from functools import cache, partial
+from typing import Any, Generic, TypeVar
 
 from flint import arb, arb_series, ctx
 
 from osculant.cas.expression import Node
 from osculant.cas.fields import Balls
 from osculant.cas.invariants import PlaneJet
+from osculant.cas.space_curves import SpaceJet
 from osculant.cas.taylor import Program, program
 
 #: bits of all decisions; the roots of simple zeros are located to about this accuracy
@@ -21,6 +22,7 @@ TERMS = 128
 
 #: a form over jets, such as the one that vanishes where the curvature does
 Form = Callable[[PlaneJet], Any]
+Jet = TypeVar("Jet")
 
 
 @contextmanager
@@ -49,11 +51,20 @@ def constant(node: Node) -> Any:
     return program([node], 0).run(arb(0), Balls())[0][0]
 
 
-class CurveBalls:
-    """Taylor series of the coordinates of a plane curve as enclosures."""
+class FormulaBalls(Generic[Jet]):
+    """Taylor series of the coordinates of a curve as enclosures, and jets of them.
 
-    def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
+    Args:
+        coordinates: the formulas, as many as ``jet_type`` takes.
+        jet_type: the jets made of them.
+        variable: name of the parameter.
+    """
+
+    def __init__(
+        self, coordinates: Sequence[Node], jet_type: Callable[..., Jet], variable: str = "t"
+    ) -> None:
         self.coordinates = tuple(coordinates)
+        self.jet_type = jet_type
         self.variable = variable
         self.field = Balls()
         self._program = cache(self._make_program)
@@ -65,16 +76,16 @@ class CurveBalls:
         """Normalised Taylor coefficients 0…order of each coordinate at all points of the ball t."""
         return self._program(order).run(t, self.field)
 
-    def jet(self, t: Any, order: int) -> PlaneJet:
+    def jet(self, t: Any, order: int) -> Jet:
         """The jet of that order at a ball, derivatives as balls."""
-        x, y = self.coefficients(t, order)
         factorials = [arb(1)]
         for k in range(1, order + 1):
             factorials.append(factorials[-1] * k)
-        return PlaneJet([c * f for c, f in zip(x, factorials, strict=True)],
-                        [c * f for c, f in zip(y, factorials, strict=True)])  # fmt: skip
+        return self.jet_type(
+            *([c * f for c, f in zip(row, factorials, strict=True)] for row in self.coefficients(t, order))
+        )
 
-    def series_jet(self, t: Any, order: int, length: int) -> PlaneJet | None:
+    def series_jet(self, t: Any, order: int, length: int) -> Jet | None:
         """The jet of that order as power series of ``length`` terms about t; None where not finite."""
         rows = self.coefficients(t, order + length - 1)
         if not all(c.is_finite() for row in rows for c in row):
@@ -86,9 +97,9 @@ class CurveBalls:
                 chain.append(arb_series(row[:length], length))
                 row = [k * c for k, c in enumerate(row)][1:]
             derivatives.append(chain)
-        return PlaneJet(derivatives[0], derivatives[1])
+        return self.jet_type(*derivatives)
 
-    def form_series(self, form: Form, t: Any, order: int, length: int) -> list[Any] | None:
+    def form_series(self, form: Callable[[Jet], Any], t: Any, order: int, length: int) -> list[Any] | None:
         """Taylor coefficients of a form over jets of that order, at all points of the ball t."""
         jet = self.series_jet(t, order, length)
         return None if jet is None else padded(form(jet), length)
@@ -101,6 +112,32 @@ class CurveBalls:
             if not value.is_finite():
                 return REASONS.get(step.op) or REASONS.get(str(step.value)) or f"{step.value} is undefined"
         return "it is undefined"
+
+
+class CurveBalls(FormulaBalls[PlaneJet]):
+    """A plane curve: enclosures of the Taylor series of two coordinates."""
+
+    def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
+        super().__init__(coordinates, PlaneJet, variable)
+
+
+class SpaceBalls(FormulaBalls[SpaceJet]):
+    """A space curve: enclosures of the Taylor series of three coordinates.
+
+    Of a ball around 0 that stands for a sum of squares, such as |α̇ × α̈|² where κ = 0, the root is finite.
+
+    >>> from osculant.cas.formula import parse_tuple
+    >>> SpaceBalls(parse_tuple("cos(t), sin(t), 0")).jet(arb(0), 3).curvature
+    1.00000000000000
+    """
+
+    def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
+        super().__init__(coordinates, partial(SpaceJet, root=_root_of_squares), variable)
+
+
+def _root_of_squares(value: Any, _degree: int) -> Any:
+    """The square root of what is known not to be negative."""
+    return value.nonnegative_part().sqrt()
 
 
 #: what it means that an operation has no finite value

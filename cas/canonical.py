@@ -21,6 +21,10 @@ from flint import Ordering, fmpq_mpoly_ctx
 from osculant.cas.errors import DomainError
 from osculant.cas.power_series import PowerSeries, ratio
 
+#: the highest orders computed, with generators for the curvatures and with curvatures given: beyond, the
+#: polynomials and then the number of products take too long
+GENERIC, GIVEN = 20, 60
+
 
 def euclidean_arc(
     order: int, curvatures: Sequence[Any] | None = None
@@ -35,7 +39,8 @@ def euclidean_arc(
 
     Returns: (X, Y, (κ₀, κ₁, …)), the last being the ``curvatures`` or the generators.
 
-    Raises DomainError for an order below 1 or one that the curvatures given do not carry.
+    Raises DomainError for an order that is no integer, below 1, above `GIVEN` (or `GENERIC`, without
+    curvatures), or one that the curvatures given do not carry.
 
     >>> X, Y, (k0, k1, *_) = euclidean_arc(4)
     >>> X
@@ -57,7 +62,8 @@ def affine_arc(
     Args and returns are those of `euclidean_arc`, with the affine curvature k and its derivatives by r, of
     which order − 2 are needed; the generators are called k0, k1, …
 
-    Raises DomainError for an order below 1 or one that the curvatures given do not carry.
+    Raises DomainError for an order that is no integer, below 1, above `GIVEN` (or `GENERIC`, without
+    curvatures), or one that the curvatures given do not carry.
 
     >>> X, Y, _ = affine_arc(5)
     >>> X
@@ -160,8 +166,15 @@ def _arc(a: PowerSeries, b: PowerSeries, order: int) -> tuple[PowerSeries, Power
 
 
 def _jet(order: int, needed: int, given: Sequence[Any] | None, name: str, symbol: str) -> tuple[Any, ...]:
+    if not isinstance(order, int):
+        raise DomainError(f"The order of a canonical form is a whole number, not {order!r}.")
     if order < 1:
         raise DomainError(f"A canonical form of order {order} says nothing: ask for order 1 or more.")
+    if order > GIVEN or (given is None and order > GENERIC):
+        raise DomainError(
+            f"A canonical form of order {order} takes too long: the highest is {GENERIC}, or {GIVEN} if the "
+            "curvatures are given."
+        )
     needed = max(needed, 1)
     if given is None:
         return _generators(name, needed)

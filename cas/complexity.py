@@ -1,7 +1,8 @@
 """The number of pieces that theory predicts: N(ε) = C ε^{−1/p}, C = ∫ (c·J)^{1/p} ds.
 
 c·J·σᵖ is the error of one short arc of Euclidean length σ (Theorem 3.6.1): J = |k|κ^{5/3}, p = 4 for
-parabolas (3.17) and J = |dk/dr|κ², p = 5 for conics (3.18).  c comes from `leading`.
+parabolas (3.17) and J = |dk/dr|κ², p = 5 for conics (3.18); J = |dκ/ds|, p = 3 for biarcs.  c comes from
+`leading`, for biarcs from `asymptotics.arc_laws`.
 """
 
 from __future__ import annotations
@@ -45,11 +46,26 @@ def _parabola(jet: PlaneJet) -> Any:
     return abs(jet.affine_curvature) * kappa * jet.root(kappa * kappa, 3)
 
 
-#: (3.17) and (3.18)
+#: (3.17), (3.18), and biarcs
 LAWS = {
     "parabola": Law(4, _parabola),
     "conic": Law(5, lambda jet: abs(jet.affine_curvature_slope) * jet.curvature * jet.curvature),
+    "biarc": Law(3, lambda jet: abs(jet.curvature_slope)),
 }
+
+
+def law_constant(primitive: str) -> Any:
+    """c of a primitive's law: a ball at the current precision.
+
+    >>> round(1 / float(law_constant("biarc")), 9)
+    324.0
+    """
+    if primitive != "biarc":
+        return error_constant(primitive)
+    from osculant.cas.asymptotics.arc_laws import arc_law  # which integrates by this module
+
+    constant = arc_law("biarc").constant
+    return arb(int(constant.p)) / int(constant.q)
 
 
 def complexity_constant(curve: CurveBalls, primitive: str, low: Any, high: Any) -> tuple[Any, float]:
@@ -67,7 +83,7 @@ def complexity_constant(curve: CurveBalls, primitive: str, low: Any, high: Any) 
     """
     law = LAWS[primitive]
     with precision(PRECISION):
-        constant = error_constant(primitive)
+        constant = law_constant(primitive)
 
         def density(t: Any) -> Any:
             return law.density(curve.jet(t, law.order), constant).mid()

@@ -101,12 +101,17 @@ def hermite_data(pairs: Iterable[tuple[Any, Sequence[Any]]]) -> Taylor:
     Args:
         pairs: (node, (f, f′, f″, …)) with the derivatives at that node not divided by factorials.
 
-    The function returned raises DomainError for a node or an order that is not among them.
+    Raises DomainError for a node given twice. The function returned raises it for a node or an order that is
+    not among them.
 
     >>> divided_difference(hermite_data([(0, (1, 2)), (1, (4,))]), [0, 1, 0])
     Fraction(1, 1)
     """
-    known = [(exact(node), tuple(exact(v) for v in values)) for node, values in pairs]
+    known: list[tuple[Any, tuple[Any, ...]]] = []
+    for given, derivatives in pairs:
+        if any(same_node(at, given) for at, _ in known):
+            raise DomainError(f"The node {given} is given twice: list all its derivatives at once.")
+        known.append((exact(given), tuple(exact(v) for v in derivatives)))
 
     def coefficient(node: Any, order: int) -> Any:
         values = next((values for at, values in known if same_node(at, node)), None)

@@ -10,14 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache
-from math import factorial
+from itertools import accumulate
+from math import comb, factorial, prod
+from operator import mul
 from typing import Any
-
-from flint import Ordering, fmpq_mpoly_ctx
 
 from osculant.cas.divided_differences import NewtonForm, exact, is_zero
 from osculant.cas.errors import DomainError
 from osculant.cas.power_series import PowerSeries, ratio
+
+#: the most monomials that the integral of Hermite and Genocchi is expanded into
+MONOMIALS = 20_000
 
 
 def divided_by(polynomial: Sequence[Any], node: Any) -> tuple[tuple[Any, ...], Any]:
@@ -118,7 +121,8 @@ def hermite_genocchi(polynomial: Sequence[Any], nodes: Sequence[Any]) -> Any:
         polynomial: coefficients of f, the constant one first, in any commutative ring containing ℚ.
         nodes: x₀ … xₙ in the same ring, coincident ones or not.
 
-    Raises DomainError without nodes or coefficients.
+    Raises DomainError without nodes or coefficients, and for so many that the integrand has more than
+    `MONOMIALS` monomials in the t.
 
     >>> hermite_genocchi((0, 0, 0, 1), (1, 2, 4))
     Fraction(7, 1)
@@ -126,17 +130,24 @@ def hermite_genocchi(polynomial: Sequence[Any], nodes: Sequence[Any]) -> Any:
     if not nodes or not polynomial:
         raise DomainError("The integral of Hermite and Genocchi needs at least one node and one coefficient.")
     order = len(nodes) - 1
+    count = comb(len(polynomial), order + 1)  # the sum of comb(degree, order)
+    if count > MONOMIALS:
+        raise DomainError(
+            f"The integral of Hermite and Genocchi at {len(nodes)} nodes has {count} monomials for "
+            f"{len(polynomial)} coefficients, more than {MONOMIALS}: use newton_of_polynomial."
+        )
     total = exact(polynomial[0] * nodes[0] * 0)
+    # rows of powers x, x², … by multiplication only: a ball around 0 has no power
+    powers = [list(accumulate([node] * (len(polynomial) - 1 - order), mul)) for node in nodes]
     for degree in range(order, len(polynomial)):
         # the degree − n th power of t₀x₀ + … + tₙxₙ, a monomial in the t at a time
         for exponents in _exponents(degree - order, order + 1):
-            weight = Fraction(factorial(degree)) * simplex_moment(exponents)
-            for e in exponents:
-                weight /= factorial(e)
+            arrangements = Fraction(factorial(degree), prod(map(factorial, exponents)))
+            weight = arrangements * simplex_moment(exponents)
             term = polynomial[degree] * ratio(weight.numerator, weight.denominator, total)
-            for node, e in zip(nodes, exponents):
-                for _ in range(e):
-                    term = term * node
+            for row, e in zip(powers, exponents):
+                if e:
+                    term = term * row[e - 1]
             total = total + term
     return total
 
@@ -145,25 +156,32 @@ def hermite_genocchi(polynomial: Sequence[Any], nodes: Sequence[Any]) -> Any:
 def simplex_moment(exponents: tuple[int, ...]) -> Fraction:
     """∫ t₀^e₀ … tₙ^eₙ dt₁ … dtₙ over t₁ + … + tₙ ≤ 1, tᵢ ≥ 0, with t₀ = 1 − t₁ − … − tₙ.
 
-    Integrated one variable after the other.
+    Integrated one variable after the other: with U = 1 − t₁ − … − tₙ₋₁ the last one gives
+    ∫₀ᵁ tᵇ(U − t)ᵃ dt = Uᵃ⁺ᵇ⁺¹∫₀¹ tᵇ(1 − t)ᵃ dt, and Uᵃ⁺ᵇ⁺¹ takes the place of t₀ᵃ.
+
+    Args:
+        exponents: e₀ … eₙ, whole numbers.
+
+    Raises DomainError without exponents or for one that is no whole number ≥ 0.
 
     >>> simplex_moment((0, 0, 0)), simplex_moment((1, 2))
     (Fraction(1, 2), Fraction(1, 12))
     """
-    n = len(exponents) - 1
-    if n == 0:
-        return Fraction(1)
-    names = [f"t{i}" for i in range(1, n + 1)]
-    context = fmpq_mpoly_ctx.get(names, Ordering.lex)
-    variables = context.gens()
-    integrand = (1 - sum(variables, context.constant(0))) ** exponents[0]
-    for variable, e in zip(variables, exponents[1:]):
-        integrand = integrand * variable**e
-    for i in reversed(range(n)):
-        upper = context.constant(1) - sum(variables[:i], context.constant(0))
-        integrand = integrand.integral(names[i]).compose(*variables[:i], upper, *variables[i + 1 :])
-    value = integrand.coefficient(0)
-    return Fraction(int(value.p), int(value.q))
+    if not exponents or not all(isinstance(e, int) and e >= 0 for e in exponents):
+        raise DomainError(
+            f"A moment of a simplex needs exponents that are whole numbers ≥ 0, not {exponents}."
+        )
+    total, power = Fraction(1), exponents[0]
+    for e in exponents[1:]:
+        total *= _moment_of_interval(power, e)
+        power += e + 1
+    return total
+
+
+@cache
+def _moment_of_interval(a: int, b: int) -> Fraction:
+    """∫₀¹ tᵇ(1 − t)ᵃ dt, a power of t at a time."""
+    return sum((Fraction((-1) ** i * comb(a, i), b + i + 1) for i in range(a + 1)), Fraction(0))
 
 
 def _exponents(total: int, places: int) -> Iterator[tuple[int, ...]]:

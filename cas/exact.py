@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import factorial
 from typing import Any
 
 from flint import arb
 
-from osculant.cas.balls import CurveBalls, Form, constant, precision
+from osculant.cas.balls import FormulaBalls, constant, precision
 from osculant.cas.expression import PI, Node, mul, number
 from osculant.cas.fields import ExactNumbers
-from osculant.cas.invariants import PlaneJet
 from osculant.cas.taylor import program
 
 #: largest denominator of a number called simple
@@ -98,25 +97,26 @@ def is_zero(value: Any, at: Any) -> bool:
 
 
 def order_of_zero(
-    coordinates: Sequence[Node], form: Form, order: int, candidate: Node, multiplicity: int
+    curve: FormulaBalls[Any], form: Callable[[Any], Any], order: int, candidate: Node, multiplicity: int
 ) -> bool:
     """Whether the first ``multiplicity`` Taylor coefficients of a form vanish exactly at a constant.
 
     >>> from osculant.cas.formula import parse_constant, parse_tuple
-    >>> cycloid = parse_tuple("t - sin(t), 1 - cos(t)")
+    >>> from osculant.cas.balls import CurveBalls
+    >>> cycloid = CurveBalls(parse_tuple("t - sin(t), 1 - cos(t)"))
     >>> order_of_zero(cycloid, lambda jet: jet.speed_squared, 1, parse_constant("2*pi"), 2)
     True
     """
     with precision(SCREEN):
-        balls = CurveBalls(coordinates).form_series(form, constant(candidate), order, multiplicity)
+        balls = curve.form_series(form, constant(candidate), order, multiplicity)
     if balls is None or not all(c.contains(0) for c in balls):
         return False
     field = ExactNumbers()
     at = program([candidate], 0).run(field.number(Fraction(0)), field)[0][0]
-    rows = program(coordinates, order + multiplicity - 1).run(at, field)
+    rows = program(curve.coordinates, order + multiplicity - 1, curve.variable).run(at, field)
     derivatives = [
         [Truncated([row[i + k] / factorial(k) for k in range(multiplicity)]) for i in range(order + 1)]
         for row in rows
     ]
-    terms = form(PlaneJet(derivatives[0], derivatives[1])).terms
+    terms = form(curve.jet_type(*derivatives)).terms
     return all(is_zero(term, near) for term, near in zip(terms, balls, strict=True))

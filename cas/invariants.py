@@ -140,13 +140,14 @@ class PlaneJet:
         return self.inflection_form / (self.speed_squared * self.speed)
 
     @cached_property
-    def _curvature_slope_form(self) -> Any:
+    def curvature_slope_form(self) -> Any:
+        """Ḋ|α̇|² − 3D⟨12⟩ = |α̇|⁶κ′: zero exactly at vertices, κ′ = 0 (or where the curve is singular)."""
         return self.inflection_rate * self.speed_squared - 3 * self.inflection_form * self.dot(1, 2)
 
     @cached_property
     def curvature_slope(self) -> Any:
         """κ′ = dκ/ds = (Ḋ|α̇|² − 3D⟨12⟩)/|α̇|⁶."""
-        return self._curvature_slope_form / _power(self.speed_squared, 3)
+        return self.curvature_slope_form / _power(self.speed_squared, 3)
 
     @cached_property
     def curvature_bend(self) -> Any:
@@ -156,7 +157,7 @@ class PlaneJet:
             - self.inflection_rate * self.dot(1, 2)
             - 3 * self.inflection_form * (self.dot(2, 2) + self.dot(1, 3))
         )
-        form = rate * self.speed_squared - 6 * self.dot(1, 2) * self._curvature_slope_form
+        form = rate * self.speed_squared - 6 * self.dot(1, 2) * self.curvature_slope_form
         return form / (_power(self.speed_squared, 4) * self.speed)
 
     @cached_property

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from numbers import Rational
 from typing import Any
 
 from flint.utils.flint_exceptions import DomainError as NoQuotient
@@ -92,7 +93,11 @@ class PowerSeries:
     __rmul__ = __mul__
 
     def __pow__(self, exponent: int) -> PowerSeries:
-        """The power with an integer exponent; a negative one needs a reciprocal."""
+        """The power with an integer exponent, DomainError for another; a negative one needs a reciprocal."""
+        if not isinstance(exponent, int):
+            raise DomainError(
+                f"The operator ** takes integers, not {exponent!r}: use power() with a Fraction."
+            )
         base = self if exponent >= 0 else self.reciprocal()
         zero = self.coefficients[0] * 0
         result = PowerSeries([zero + 1, *(zero,) * (self.length - 1)])
@@ -232,12 +237,17 @@ def power(series: PowerSeries, exponent: Fraction, root: Any = None) -> PowerSer
 
     Args:
         series: its constant coefficient must have a reciprocal.
-        exponent: any rational number.
+        exponent: any rational number; an integer, a `Fraction` or sympy's `Rational`.
         root: the constant coefficient to that power, an element of the ring; 1 if that coefficient is 1.
+
+    Raises DomainError for another exponent, without the root where it is not 1, and if the constant
+    coefficient has no reciprocal.
 
     >>> power(PowerSeries([1, Fraction(1), 0, 0]), Fraction(1, 2))
     PowerSeries([1, 1/2, -1/8, 1/16])
     """
+    if not isinstance(exponent, Rational):
+        raise DomainError(f"The exponent {exponent!r} of a series is not rational: write it as a Fraction.")
     c = series.coefficients
     if root is None:
         if c[0] != 1:

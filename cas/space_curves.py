@@ -20,18 +20,27 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
+from osculant.cas.errors import DomainError
 from osculant.cas.invariants import Root, real_root
 
 Vector3 = tuple[Any, Any, Any]
 Frame = tuple[Vector3, Vector3, Vector3]
 
 
+def _in_space(*vectors: Sequence[Any]) -> None:
+    """Refuse what has not three coordinates."""
+    for vector in vectors:
+        if len(vector) != 3:
+            raise DomainError(f"A vector of space has three coordinates, but {vector} has {len(vector)}.")
+
+
 def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
-    """⟨a, b⟩ of two vectors of three numbers.
+    """⟨a, b⟩ of two vectors of three numbers; like all functions here, raises DomainError for other vectors.
 
     >>> dot((1, 2, 3), (4, 5, 6))
     32
     """
+    _in_space(a, b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
@@ -41,6 +50,7 @@ def cross(a: Sequence[Any], b: Sequence[Any]) -> Vector3:
     >>> cross((1, 0, 0), (0, 1, 0))
     (0, 0, 1)
     """
+    _in_space(a, b)
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
@@ -59,6 +69,7 @@ def scale(factor: Any, a: Sequence[Any]) -> Vector3:
     >>> scale(2, (1, 2, 3))
     (2, 4, 6)
     """
+    _in_space(a)
     return factor * a[0], factor * a[1], factor * a[2]
 
 
@@ -68,9 +79,11 @@ def add(*vectors: Sequence[Any]) -> Vector3:
     >>> add((1, 2, 3), (4, 5, 6), (0, 0, 1))
     (5, 7, 10)
     """
-    first, *others = vectors
-    x, y, z = first
-    for a in others:
+    if not vectors:
+        raise DomainError("A sum of no vectors has no kind of number: give at least one vector.")
+    _in_space(*vectors)
+    x, y, z = vectors[0]
+    for a in vectors[1:]:
         x, y, z = x + a[0], y + a[1], z + a[2]
     return x, y, z
 
@@ -81,6 +94,7 @@ def subtract(a: Sequence[Any], b: Sequence[Any]) -> Vector3:
     >>> subtract((4, 5, 6), (1, 2, 3))
     (3, 3, 3)
     """
+    _in_space(a, b)
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
@@ -94,8 +108,11 @@ class SpaceJet:
         z: the same of the third.
         root: ``root(value, 2)``, the square root of such numbers.
 
-    An invariant needs the derivatives up to its own order only: κ 2, τ and κ′ 3, τ′ and γ 4. Nothing is
-    checked: at a cusp (speed 0) and where κ = 0 the division by zero is the number system's own affair.
+    An invariant needs the derivatives up to its own order only: κ 2, τ and κ′ 3, τ′ and γ 4; it raises
+    DomainError if they are not there, as does a jet whose coordinates have unequal orders. At a cusp
+    (speed 0) and where κ = 0 it raises DomainError if the numbers refuse to be divided by zero, as rationals
+    and floats do; sympy and balls have values of their own for that.
+
     Torsion has the usual sign, opposite to the thesis's: see the top of this module.
 
     >>> right_handed = SpaceJet((3.0, 0.0, -3.0, 0.0), (0.0, 3.0, 0.0, -3.0), (0.0, 4.0, 0.0, 0.0))
@@ -105,21 +122,48 @@ class SpaceJet:
 
     def __init__(self, x: Sequence[Any], y: Sequence[Any], z: Sequence[Any], root: Root = real_root) -> None:
         self.x, self.y, self.z, self.root = tuple(x), tuple(y), tuple(z), root
+        orders = [len(coordinate) - 1 for coordinate in (self.x, self.y, self.z)]
+        if len(set(orders)) > 1:
+            found = ", ".join(map(str, orders))
+            raise DomainError(f"The coordinates of a jet have one order, not {found}: cut or extend them.")
+
+    def _need(self, *orders: int) -> None:
+        """Refuse derivatives that the jet does not have."""
+        known = len(self.x) - 1
+        if max(orders) > known:
+            raise DomainError(
+                f"The jet has order {known}, and the derivative of order {max(orders)} is needed: add it."
+            )
+
+    def _ratio(self, above: Any, below: Any) -> Any:
+        """A quotient; where the denominator is 0 the message says of the curve what that means."""
+        try:
+            return above / below
+        except ZeroDivisionError:
+            reason = "speed is 0, so the curve is singular" if self.speed_squared == 0 else "curvature is 0"
+            raise DomainError(f"An invariant does not exist here: the {reason}.") from None
+
+    def _divided(self, a: Vector3, below: Any) -> Vector3:
+        return self._ratio(a[0], below), self._ratio(a[1], below), self._ratio(a[2], below)
 
     def point(self, order: int) -> Vector3:
         """The derivative of that order, (xᵢ, yᵢ, zᵢ)."""
+        self._need(order)
         return self.x[order], self.y[order], self.z[order]
 
     def dot(self, i: int, j: int) -> Any:
         """⟨ij⟩ = ⟨α⁽ⁱ⁾, α⁽ʲ⁾⟩."""
+        self._need(i, j)
         return dot(self.point(i), self.point(j))
 
     def cross(self, i: int, j: int) -> Vector3:
         """α⁽ⁱ⁾ × α⁽ʲ⁾."""
+        self._need(i, j)
         return cross(self.point(i), self.point(j))
 
     def det(self, i: int, j: int, k: int) -> Any:
         """The determinant [ijk] of α⁽ⁱ⁾, α⁽ʲ⁾, α⁽ᵏ⁾."""
+        self._need(i, j, k)
         return det(self.point(i), self.point(j), self.point(k))
 
     # Forms whose zeros are the special points; `…_rate` is the derivative by the parameter.
@@ -140,6 +184,7 @@ class SpaceJet:
 
     @cached_property
     def _inflection_rate(self) -> Any:
+        self._need(3)
         return dot(self.cross(1, 2), self.cross(1, 3))  # half the derivative of |c|²
 
     @cached_property
@@ -160,6 +205,7 @@ class SpaceJet:
     @cached_property
     def helix_form(self) -> Any:
         """Ḋ|α̇|²|c|² + 3D(⟨12⟩|c|² − |α̇|²⟨c, ċ⟩): zero exactly where (τ/κ)′ = 0, given κ ≠ 0."""
+        self._need(4)
         mixed = self._speed_rate * self.inflection_form - self.speed_squared * self._inflection_rate
         return self.torsion_rate * self.speed_squared * self.inflection_form + 3 * self.torsion_form * mixed
 
@@ -177,46 +223,46 @@ class SpaceJet:
     @cached_property
     def curvature(self) -> Any:
         """κ = |c|/|α̇|³, never negative."""
-        return self._bend / (self.speed_squared * self.speed)
+        return self._ratio(self._bend, self.speed_squared * self.speed)
 
     @cached_property
     def torsion(self) -> Any:
         """τ = D/|c|², positive for a right-handed helix; the thesis's is −τ."""
-        return self.torsion_form / self.inflection_form
+        return self._ratio(self.torsion_form, self.inflection_form)
 
     @cached_property
     def curvature_slope(self) -> Any:
         """κ′ = dκ/ds."""
         below = self.speed_squared * self.speed_squared * self.speed_squared
-        return self.curvature_slope_form / (below * self._bend)
+        return self._ratio(self.curvature_slope_form, below * self._bend)
 
     @cached_property
     def torsion_slope(self) -> Any:
         """τ′ = dτ/ds = (Ḋ|c|² − 2D⟨c, ċ⟩)/(|α̇||c|⁴)."""
         above = self.torsion_rate * self.inflection_form - 2 * self.torsion_form * self._inflection_rate
-        return above / (self.speed * self.inflection_form * self.inflection_form)
+        return self._ratio(above, self.speed * self.inflection_form * self.inflection_form)
 
     @cached_property
     def ratio_slope(self) -> Any:
         """(τ/κ)′ = d(τ/κ)/ds, zero all along a generalised helix."""
-        return self.helix_form / (self.inflection_form * self.inflection_form * self._bend)
+        return self._ratio(self.helix_form, self.inflection_form * self.inflection_form * self._bend)
 
     # Moving frames.
 
     @cached_property
     def tangent(self) -> Vector3:
         """T = α̇/|α̇|."""
-        return _divided(self.point(1), self.speed)
+        return self._divided(self.point(1), self.speed)
 
     @cached_property
     def binormal(self) -> Vector3:
         """B = c/|c|."""
-        return _divided(self.cross(1, 2), self._bend)
+        return self._divided(self.cross(1, 2), self._bend)
 
     @cached_property
     def normal(self) -> Vector3:
         """N = B × T, the direction in which the curve turns."""
-        return _divided(cross(self.cross(1, 2), self.point(1)), self._bend * self.speed)
+        return self._divided(cross(self.cross(1, 2), self.point(1)), self._bend * self.speed)
 
     @cached_property
     def frenet_frame(self) -> Frame:
@@ -239,7 +285,7 @@ class SpaceJet:
     @cached_property
     def axis(self) -> Vector3:
         """V = −Ω/β, the thesis's normalised Darboux vector: minus the usual direction of Ω."""
-        return _divided(self.darboux_vector, -self.frame_rate)
+        return self._divided(self.darboux_vector, -self.frame_rate)
 
     @cached_property
     def darboux_frame(self) -> Frame:
@@ -249,9 +295,5 @@ class SpaceJet:
     @cached_property
     def axis_rate(self) -> Any:
         """γ in V′ = γW, that is −(τ/κ)′/(1 + (τ/κ)²), zero all along a generalised helix."""
-        ratio = self.torsion / self.curvature
-        return -self.ratio_slope / (1 + ratio * ratio)
-
-
-def _divided(a: Vector3, below: Any) -> Vector3:
-    return a[0] / below, a[1] / below, a[2] / below
+        slope, ratio = self.ratio_slope, self._ratio(self.torsion, self.curvature)
+        return -slope / (1 + ratio * ratio)

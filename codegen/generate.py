@@ -12,9 +12,11 @@ from pathlib import Path
 import sympy as sp
 
 from osculant.cas import pencil
+from osculant.cas.asymptotics.arc_laws import arc_law
 from osculant.cas.complexity import LAWS
 from osculant.cas.leading import canonical_coefficients
 from osculant.cas.plane_exact import jet_symbols
+from osculant.cas.space_curves import SpaceJet
 from osculant.codegen.closed_forms import ClosedForm, module_source
 
 FOLDER = Path(__file__).resolve().parent.parent / "kernels" / "generated"
@@ -75,10 +77,13 @@ def laws_module() -> str:
     """The densities of the predicted number of pieces over jets of order 5."""
     jet = jet_symbols()
     forms = []
-    for crossings, (primitive, law) in enumerate(LAWS.items()):
+    constants = {"biarc": arc_law("biarc").constant}
+    for crossings, primitive in enumerate(("parabola", "conic")):
         shape, x = pencil.lobe_shape(crossings)
         peak = sp.Abs(shape.subs(x, pencil.lobes(crossings)["first"]))
-        c = sp.simplify(sp.Rational(canonical_coefficients()[crossings]) * peak)
+        constants[primitive] = sp.simplify(sp.Rational(canonical_coefficients()[crossings]) * peak)
+    for primitive, law in LAWS.items():
+        c = constants[primitive]
         density = (c * law.invariant(jet)) ** sp.Rational(1, law.order) * jet.speed
         purpose = f"Pieces of a {primitive} spline per unit of the parameter, times ε^(1/{law.order})."
         arguments = (*jet.x[1:], *jet.y[1:])
@@ -86,7 +91,29 @@ def laws_module() -> str:
     return module_source("cas/complexity.py", forms, {})
 
 
-MODULES = {"pencil.py": pencil_module, "invariants.py": invariants_module, "laws.py": laws_module}
+def space_module() -> str:
+    """Invariants and frame of a space curve over jets of order 3."""
+    x, y, z = (sp.symbols(f"{name}:4", real=True) for name in "xyz")
+    jet = SpaceJet(x, y, z, sp.root)
+    names = ("speed", "curvature", "curvature_slope", "torsion")
+    results = {name: getattr(jet, name) for name in names}
+    for name, vector in (("tangent", jet.tangent), ("normal", jet.normal)):
+        results |= {f"{name}_{axis}": value for axis, value in zip("xyz", vector)}
+    form = ClosedForm(
+        "frenet",
+        "Speed, κ, dκ/ds, τ (usual sign), T and N from the derivatives 1…3 of the three coordinates.",
+        (*jet.x[1:], *jet.y[1:], *jet.z[1:]),
+        results,
+    )
+    return module_source("cas/space_curves.py", [form], {})
+
+
+MODULES = {
+    "pencil.py": pencil_module,
+    "invariants.py": invariants_module,
+    "laws.py": laws_module,
+    "space.py": space_module,
+}
 
 
 def main(arguments: list[str]) -> int:

@@ -15,9 +15,8 @@ from osculant.kernels.bitangent import Pencil, View, displacement, is_proper, pe
 from osculant.kernels.curve import Frame, Source
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
-
-PARABOLA = 1
-CONIC = 2
+from osculant.kernels.primitives import CONIC as CONIC
+from osculant.kernels.primitives import PARABOLA as PARABOLA
 
 #: places and sharpnesses −d″/d of the two peaks (one peak: both the same), in units of the arc
 Peaks = tuple[float, float, float, float]

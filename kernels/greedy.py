@@ -1,9 +1,9 @@
 """The greedy spline of one stretch: the longest arc within the tolerance, again and again.
 
 Each arc's end is found by secant steps on log error against log length, with `exchange` as the
-evaluation (about three curve samples each); whatever does not come out consistent goes through a
-bracketed search on `minimax`.  An arc is kept only after `scan.measure` has found its error, on
-common normals of its own, within the tolerance.
+evaluation (about three curve samples each; for biarcs `biarc_spline.exchange`); whatever does not come out
+consistent goes through a bracketed search on `minimax`.  An arc is kept only after its error, measured on
+common normals of its own, is found within the tolerance.
 """
 
 from __future__ import annotations
@@ -13,18 +13,20 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.bitangent import Pencil, pencil
+from osculant.kernels import biarc, biarc_scan, biarc_spline
+from osculant.kernels.bitangent import pencil
 from osculant.kernels.curve import JET_SIZE, Frame, Place, Source, sample
-from osculant.kernels.exchange import PARABOLA, Peaks, exchange, first_peaks
+from osculant.kernels.exchange import Peaks, exchange, first_peaks
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 from osculant.kernels.minimax import minimax
+from osculant.kernels.primitives import BIARC, PARABOLA
 from osculant.kernels.scan import GRID, Space, measure, workspace
 
 #: why an arc ends where it does
 ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT, ENDS_EARLY = 0, 1, 2, 3
 #: columns of the table of pieces, as `record` fills them, and which of them says why the arc ends
-COLUMNS, REASON = 13, 4
+COLUMNS, REASON = 15, 4
 #: inner samples of the measurement that decides
 CHECKED = 8
 #: fast evaluations per arc before the careful search takes over
@@ -61,7 +63,7 @@ def quick_arc(
     stop: float, last: Frame, length: float, low: float, high: float, peaks: Peaks,
 ) -> tuple[float, float, Peaks, bool]:  # fmt: skip
     """(b, Q, peaks, found) of the longest arc with error in [low, high], by fast steps from ``length``."""
-    exponent = 4.0 if primitive == PARABOLA else 5.0
+    exponent = 3.0 if primitive == BIARC else 4.0 if primitive == PARABOLA else 5.0
     aim = AIM * low + (1.0 - AIM) * high
     calm = UNREST * (high - low) / high
     steeps, before = (math.nan, math.nan), (math.nan, math.nan)
@@ -72,7 +74,12 @@ def quick_arc(
             b = stop
         length = b - a
         end = frame_at(source, b, stop, last)
-        error, q, unrest, moved, steeps = exchange(primitive, source, a, start, b, end, peaks, steeps, before)
+        if primitive == BIARC:
+            error, q, unrest, moved = biarc_spline.exchange(source, a, start, b, end, peaks)
+        else:
+            error, q, unrest, moved, steeps = exchange(
+                primitive, source, a, start, b, end, peaks, steeps, before
+            )
         if not error > 0.0:
             return b, q, peaks, False
         before, peaks = (peaks[0], peaks[1]), moved
@@ -133,16 +140,36 @@ def careful_arc(
 
 
 @kernel
+def measured(
+    primitive: int, q: float, source: Source, a: float, start: Frame,
+    b: float, end: Frame, points: int, space: Space,
+) -> float:  # fmt: skip
+    """The error of the member Q (of a biarc μ), from ``points`` samples or more."""
+    if primitive == BIARC:
+        arcs = biarc.member(biarc.family(start, end), q)
+        return biarc_scan.measure(arcs, source, a, b, points, space)
+    return measure(pencil(start, end, source[1][4]), q, source, a, b, points, space)
+
+
+@kernel
 def record(
-    row: np.ndarray[Any, Any], a: float, b: float, q: float, error: float, reason: int, pen: Pencil
-) -> None:
-    """Write one piece into a row: a, b, Q, error, reason, P₀, T₀, P₂, weight, |V|."""
+    primitive: int, row: np.ndarray[Any, Any], a: float, b: float, q: float,
+    error: float, reason: int, start: Frame, end: Frame, noise: float,
+) -> None:  # fmt: skip
+    """Write one piece into a row: a, b, Q (of a biarc μ), error, reason, P₀, T₀, P₂, and its shape.
+
+    The shape is weight and |V| of a conic, junction and both curvatures of a biarc.
+    """
+    row[0], row[1], row[2], row[3], row[4] = a, b, q, error, reason
+    row[5], row[6], row[7], row[8], row[9], row[10] = start[0], start[1], start[2], start[3], end[0], end[1]
+    if primitive == BIARC:
+        arcs = biarc.member(biarc.family(start, end), q)
+        row[11], row[12], row[13], row[14] = arcs[4], arcs[5], arcs[12], arcs[13]
+        return
+    pen = pencil(start, end, noise)
     w, reach = 1.0, 0.5 * pen[10]  # the chord
     if q > 0.0:
         w, reach = generated.weight(q, pen[10], pen[11], pen[12], pen[13])
-    row[0], row[1], row[2], row[3], row[4] = a, b, q, error, reason
-    for j in range(6):
-        row[5 + j] = pen[j]
     row[11], row[12] = w, reach
 
 
@@ -160,7 +187,8 @@ def spline(
     """
     source = (address, place, np.empty(JET_SIZE))
     space = workspace()
-    peaks = first_peaks(primitive)
+    shape = biarc_spline.FIRST_PEAKS if primitive == BIARC else first_peaks(primitive)
+    peaks = shape
     careful = 0
     previous = math.nan
     for count in range(table.shape[0]):
@@ -169,8 +197,7 @@ def spline(
         error = math.inf
         if found:
             end = frame_at(source, b, stop, last)
-            pen = pencil(start, end, place[4])
-            error = measure(pen, q, source, a, b, CHECKED, space)
+            error = measured(primitive, q, source, a, start, b, end, CHECKED, space)
         if error <= high and (error >= low or b == stop):
             peaks = after
         else:
@@ -179,17 +206,15 @@ def spline(
             if math.isnan(q):
                 return count, a, careful
             end = frame_at(source, b, stop, last)
-            pen = pencil(start, end, place[4])
-            error = measure(pen, q, source, a, b, GRID, space)
-            peaks = first_peaks(primitive)
+            error = measured(primitive, q, source, a, start, b, end, GRID, space)
+            peaks = shape
         if 0.0 < stop - b < SHORT * (b - a):
             early = a + EARLY * (stop - a)
             early_end = frame(source, early)
             early_error, early_q = minimax(primitive, source, a, start, early, early_end, space)
             if early_error <= high:
                 b, end, q, error, reason = early, early_end, early_q, early_error, ENDS_EARLY
-                pen = pencil(start, end, place[4])
-        record(table[count], a, b, q, error, reason, pen)
+        record(primitive, table[count], a, b, q, error, reason, start, end, place[4])
         if b == stop:
             return count + 1, b, careful
         length = b - a

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from osculant.kernels import biarc_scan
 from osculant.kernels.bitangent import (
     Pencil,
     is_flat,
@@ -17,6 +18,7 @@ from osculant.kernels.curve import Frame, Source
 from osculant.kernels.exchange import PARABOLA
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
+from osculant.kernels.primitives import BIARC
 from osculant.kernels.scan import GRID, Space, at_row, extremes, look, measure
 
 #: rounds of the search for Q, and its relative accuracy
@@ -30,11 +32,13 @@ def minimax(
 ) -> tuple[float, float]:  # fmt: skip
     """(error, Q) of the best conic, or of the parabola, of the arc [a, b]; error infinite if none.
 
-    Q = 0 is the chord, of an arc that is straight to rounding.
+    Q = 0 is the chord, of an arc that is straight to rounding.  Of a biarc Q is its μ.
 
     d decreases or increases with Q at every point at once, so max d + min d has one zero, between
     the least and the greatest Q of the members through the samples.
     """
+    if primitive == BIARC:
+        return biarc_scan.best(source, a, start, b, end, space)
     pen = pencil(start, end, source[1][4])
     if is_flat(pen):
         return measure(pen, 0.0, source, a, b, GRID, space), 0.0

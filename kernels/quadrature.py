@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from osculant.kernels.curve import call_jet
-from osculant.kernels.exchange import PARABOLA
-from osculant.kernels.generated.laws import conic_density, parabola_density
+from osculant.kernels.generated.laws import biarc_density, conic_density, parabola_density
 from osculant.kernels.invariants import JET_SIZE
 from osculant.kernels.jit import kernel
+from osculant.kernels.primitives import BIARC, PARABOLA
 
 #: steps of the quadrature are 2^−COARSEST … 2^−FINEST; then the interval is halved, DEPTH times at most
 COARSEST, FINEST, DEPTH = 2, 5, 30
@@ -36,6 +36,8 @@ def density(primitive: int, address: int, scale: float, jet: np.ndarray[Any, Any
     y1, y2, y3, y4, y5 = jet[7], jet[8], jet[9], jet[10], jet[11]
     if primitive == PARABOLA:
         value = parabola_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
+    elif primitive == BIARC:
+        value = biarc_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
     else:
         value = conic_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
     return value if math.isfinite(value) else 0.0

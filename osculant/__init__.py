@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from osculant.cas.errors import DomainError, FormulaError, OsculantError, ToleranceError, UndecidedError
     from osculant.map_germs import MapGerm, germ
     from osculant.plane import PlaneCurve
+    from osculant.space import SpaceCurve
+    from osculant.space_spline import SpaceSpline
     from osculant.spline import Piece, Spline
     from osculant.verification import Verification, verify
 
@@ -32,6 +34,8 @@ __all__ = [
     "OsculantError",
     "Piece",
     "PlaneCurve",
+    "SpaceCurve",
+    "SpaceSpline",
     "Spline",
     "ToleranceError",
     "UndecidedError",
@@ -49,6 +53,8 @@ _HOME = {
     "approximate": "osculant.api",
     "complexity": "osculant.api",
     "PlaneCurve": "osculant.plane",
+    "SpaceCurve": "osculant.space",
+    "SpaceSpline": "osculant.space_spline",
     "Complexity": "osculant.asymptotics",
     "Spline": "osculant.spline",
     "Piece": "osculant.spline",

@@ -7,6 +7,7 @@ import re
 import sys
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -14,15 +15,13 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from osculant.cas.errors import OsculantError
+from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed
 from osculant.report import printable
 
 #: what has the looks of an option; everything else that begins with "-" is a formula or a number
 _OPTION = re.compile(r"--?[A-Za-z][A-Za-z0-9-]*(=.*)?", re.DOTALL)
 #: what has the looks of an option and is a formula all the same
 _MINUS = re.compile(r"-(t|pi|e)")
-
-#: the suffixes that `Spline.write` knows
-SUFFIXES = (".svg", ".json")
 
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
@@ -167,21 +166,33 @@ def whole_number(text: str, option: str) -> int:
         raise UsageError(f"The option {option} needs a whole number, and {text!r} is none.") from None
 
 
-def check_files(write: Sequence[str], plot: str | None) -> None:
+def check_files(write: Sequence[str], plot: str | None, primitive: str | None = None) -> None:
     """Refuse before the work what could not be written after it; touches nothing.
 
     Args:
         write: files for `Spline.write`.
         plot: a file for `Spline.plot`, or None.
+        primitive: the kind of pieces, where the user has chosen one.
 
     Raises:
-        OsculantError: a suffix that is not known, a place that cannot be written to, no matplotlib.
+        OsculantError: a suffix that is not known or not for such pieces, a place that cannot be written to,
+            no matplotlib or ezdxf.
     """
     for file in write:
         if Path(file).suffix.lower() not in SUFFIXES:
             raise OsculantError(
                 f"Cannot write {printable(file) or 'a file without a name'}: the known suffixes are "
-                f"{' and '.join(SUFFIXES)}; --plot makes pictures of other kinds."
+                f"{listed(SUFFIXES)}; --plot makes pictures of other kinds."
+            )
+        suffix = Path(file).suffix.lower()
+        if suffix in {*GCODE_SUFFIXES, ".dxf"} and primitive in {"conic", "parabola"}:
+            raise OsculantError(
+                f"Cannot write {printable(file)}: it would hold lines and circular arcs only, and the pieces "
+                f"are to be {primitive} arcs; choose --with biarc."
+            )
+        if suffix == ".dxf" and find_spec("ezdxf") is None:
+            raise OsculantError(
+                "DXF needs ezdxf, which is not installed; `pip install osculant[cad]` adds it."
             )
         check_place(file)
     if plot is not None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from osculant.primitives import PRIMITIVES
 from osculant.tolerances import checked_tolerance
 
 if TYPE_CHECKING:
@@ -14,8 +15,6 @@ if TYPE_CHECKING:
     from osculant.stretches import Division
 
 
-#: the error of one short arc is of this order in its length (`osculant.cas.complexity.LAWS`)
-ORDERS = {"parabola": 4, "conic": 5}
 #: a predicted number above an integer by less than this part of it is that integer
 ROUNDING = 1e-12
 
@@ -119,7 +118,8 @@ def complexity_of(
         value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high)
         constants.append(value.str(DIGITS, radius=False))
     following = tuple(_next_constants(curve, primitive, division)) if next_term else None
-    return Complexity(primitive, "hausdorff", ORDERS[primitive], tuple(constants), least, DIGITS, following)
+    order = PRIMITIVES[primitive].order
+    return Complexity(primitive, "hausdorff", order, tuple(constants), least, DIGITS, following)
 
 
 def _next_constants(curve: PlaneCurve, primitive: str, division: Division) -> Iterator[str]:
@@ -139,16 +139,15 @@ def quick_complexity(
     """The same in doubles, to predict a spline's pieces; ``scale`` makes the curve's size about 1."""
     from osculant.cas.complexity import complexity_constant
     from osculant.codegen.jets import compile_jet
-    from osculant.fitting import PRIMITIVES
     from osculant.kernels.quadrature import predicted
 
-    order = ORDERS[primitive]
+    order = PRIMITIVES[primitive].order
     jet = compile_jet(curve.coordinates, 5)  # owns the code at its address
     constants = []
     for stretch in division.stretches:
         constant = 0.0
         if stretch.kind == "generic":
-            constant = predicted(PRIMITIVES[primitive], jet.address, scale, stretch.a, stretch.b)
+            constant = predicted(PRIMITIVES[primitive].code, jet.address, scale, stretch.a, stretch.b)
         # N = C ε^{−1/p} has no unit: the constant of the scaled curve belongs to the scaled tolerance
         constant *= scale ** (-1.0 / order)
         if math.isnan(constant):  # rounding beside a singular end: balls know better

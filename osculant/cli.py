@@ -57,11 +57,21 @@ app = typer.Typer(
 )
 
 Formula = Annotated[
-    str, typer.Argument(metavar="FORMULA", help='The two coordinates, such as "t*cos(t), t*sin(t)".')
+    str,
+    typer.Argument(
+        metavar="FORMULA", help='The coordinates, such as "t*cos(t), t*sin(t)", or three in space.'
+    ),
 ]
 Low = Annotated[str | None, typer.Option("--from", metavar="A", help="First end of the interval, a formula.")]
 High = Annotated[str | None, typer.Option("--to", metavar="B", help="Last end of the interval, a formula.")]
-Primitive = Annotated[str, typer.Option("--with", metavar="conic|parabola|biarc", help="The kind of pieces.")]
+Primitive = Annotated[
+    str | None,
+    typer.Option(
+        "--with",
+        metavar="conic|parabola|biarc|bihelix",
+        help="The kind of pieces; in the plane conic by default, in space bihelix.",
+    ),
+]
 SplitAt = Annotated[
     list[str] | None,
     typer.Option("--split-at", metavar="T", help="A parameter that shall be a knot; repeatable."),
@@ -91,13 +101,18 @@ def approximate(
     formula: Formula,
     low: Low = None,
     high: High = None,
-    primitive: Primitive = "conic",
+    primitive: Primitive = None,
     tolerance: Annotated[
         str, typer.Option("--tolerance", metavar="E", help="The Hausdorff distance allowed.")
     ] = "1e-6",
+    rule: Annotated[
+        str | None,
+        typer.Option("--rule", metavar="equioscillating|thesis", help="The junctions of bihelices."),
+    ] = None,
     split_at: SplitAt = None,
     write: Annotated[
-        list[str] | None, typer.Option("--write", metavar="FILE", help="Write .svg or .json; repeatable.")
+        list[str] | None,
+        typer.Option("--write", metavar="FILE", help="Write .svg, .json, G-code (.nc) or .dxf; repeatable."),
     ] = None,
     plot: Annotated[
         str | None, typer.Option("--plot", metavar="FILE", help="Draw with matplotlib, to .png, .pdf, ...")
@@ -107,9 +122,11 @@ def approximate(
     """Approximate a curve by the spline with the fewest pieces within a tolerance."""
     low, high = both_ends(low, high)
     files = [*(write or []), *([] if plot is None else [plot])]
-    check_files(write or [], plot)
+    check_files(write or [], plot, primitive)
 
     import osculant
+    from osculant.space_report import print_space_spline
+    from osculant.space_spline import SpaceSpline
 
     began = perf_counter()
     with Waiting("approximating") as progress:
@@ -117,6 +134,7 @@ def approximate(
             osculant.curve(formula, low, high),
             primitive,
             tolerance,  # type: ignore[arg-type]  # text is read there, and refused in a sentence
+            rule=rule,
             split_at=split_at or (),
             progress=progress,
         )
@@ -128,7 +146,8 @@ def approximate(
     if as_json:
         print_json(spline.to_json())
     else:
-        print_spline(spline, seconds, files)
+        show = print_space_spline if isinstance(spline, SpaceSpline) else print_spline
+        show(spline, seconds, files)  # type: ignore[arg-type]
 
 
 @app.command(cls=FormulaCommand)
@@ -152,17 +171,25 @@ def invariants(
     if digits is not None and at is None:
         raise UsageError("The option --digits needs --at: it tells how many digits of the values to print.")
 
-    from osculant.plane import DIGITS, PlaneCurve
+    import osculant
+    from osculant.formula_curve import DIGITS
+    from osculant.space import SpaceCurve
+    from osculant.space_report import (
+        print_space_invariants,
+        print_space_values,
+        space_invariants_data,
+        space_values_data,
+    )
 
     wanted = DIGITS if digits is None else whole_number(digits, "--digits")
 
-    curve = PlaneCurve(formula, low, high)
-    if at is None:
-        data = invariants_data(curve)
-        show = print_invariants
+    curve = osculant.curve(formula, low, high)
+    if isinstance(curve, SpaceCurve):
+        data = space_invariants_data(curve) if at is None else space_values_data(curve, at, wanted)
+        show = print_space_invariants if at is None else print_space_values
     else:
-        data = values_data(curve, at, wanted)
-        show = print_values
+        data = invariants_data(curve) if at is None else values_data(curve, at, wanted)
+        show = print_invariants if at is None else print_values
     if as_json:
         print_json(data)
     else:
@@ -174,7 +201,7 @@ def complexity(
     formula: Formula,
     low: Low = None,
     high: High = None,
-    primitive: Primitive = "conic",
+    primitive: Primitive = None,
     tolerance: Annotated[
         str | None, typer.Option("--tolerance", metavar="E", help="Predict the pieces for this tolerance.")
     ] = None,
@@ -211,13 +238,16 @@ def complexity(
 @app.command(cls=FormulaCommand)
 def tables(
     number: Annotated[
-        str, typer.Argument(metavar="TABLE", help="The table's number in the thesis: 3.1, 3.3 or 5.")
+        str,
+        typer.Argument(
+            metavar="TABLE", help="The table's number in the thesis: 3.1, 3.3, 4.1, 4.2, 4.3 or 5."
+        ),
     ],
     as_json: AsJson = False,
 ) -> None:
     """Compute a table of the thesis beside what it prints, with a verdict for every cell.
 
-    The numbers of table 5 are lost: counts beside theory.
+    The numbers of tables 4.1 to 4.3 and of chapter 5 are lost: counts beside theory.
     """
     from osculant.count_tables import CountTable
     from osculant.tables import compute

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
@@ -10,7 +11,7 @@ from typing import Annotated
 import typer
 
 from osculant.arguments import AsJson, UsageError, check_place
-from osculant.report import Waiting, print_json
+from osculant.report import Waiting, printable
 
 #: exit status if a claim fails
 FAILED = 1
@@ -52,26 +53,34 @@ def verify(
             )
         check_place(errata)
 
-    from osculant.report_claims import print_claim, print_list, print_verification
+    from osculant.report_claims import lenient, print_claim, print_data, print_list, print_verification
     from osculant.verification import check, chosen
+
+    lenient()
 
     claims, left_out = chosen(wanted, chapter, slow or listing)
     if listing:
         if as_json:
-            print_json([claim.to_json() for claim in claims])
+            print_data([claim.to_json() for claim in claims])
         else:
             print_list(claims)
         return 0
     if errata is not None and not wanted and chapter is None:
         claims, left_out = (tuple(c for c in some if c.erratum) for some in (claims, left_out))
-    with Waiting("verifying") as progress:
-        done = check(claims, left_out, progress)
+    if errata is not None and not any(claim.erratum for claim in (*claims, *left_out)):
+        raise UsageError(f"Did not write {printable(errata)}: there is no erratum among the selected claims.")
+    try:
+        with Waiting("verifying") as progress:
+            done = check(claims, left_out, progress)
+    except KeyboardInterrupt:
+        print("osculant: interrupted", file=sys.stderr)
+        raise
     if errata is not None:
         from osculant.errata import write_errata
 
         write_errata(errata, done)
     if as_json:
-        print_json(done.to_json())
+        print_data(done.to_json())
     elif show:
         for judgement in done:
             print_claim(judgement)
@@ -90,7 +99,7 @@ def joined(names: Sequence[str]) -> list[str]:
     kind = ""
     for name in names:
         kind = f"{kind} {name}".strip()
-        if re.search(r"\d", name) or len(name) < 2:
+        if re.search(r"\d", name) or len(name) < 2 or kind.lower() == "all":
             result.append(kind)
             kind = ""
     return [*result, kind] if kind else result

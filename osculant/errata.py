@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import re
 
 from osculant.cas.claims import Claim
+from osculant.cas.errors import DomainError
 from osculant.files import write_whole
-from osculant.latex import latex
+from osculant.latex import formula_latex, latex
 from osculant.verification import Verification
 
 _HEAD = r"""\documentclass[a4paper]{article}
@@ -18,7 +18,12 @@ _HEAD = r"""\documentclass[a4paper]{article}
 \section*{Errata}
 to S.~Ghosh, \emph{Geometric Approximation of Curves and Singularities of Secant Maps}, Groningen 2010, as
 checked by osculant (\texttt{osculant verify}). An erratum is \emph{corrected} if the same check passes on the
-correct form and fails on the printed one. Formulas are written as osculant reads them.
+correct form and fails on the printed one.
+
+"""
+_DAMAGED = r"""\section*{Readings of a damaged text}
+The text of the thesis at hand lost large brackets, tall bars and overlines. What is wrong in the following
+may be wrong in that text alone, and right in the thesis.
 
 """
 _OPENING = r"\begin{description}\setlength{\itemsep}{0pt}\setlength{\parskip}{0pt}"
@@ -32,27 +37,36 @@ def errata_document(verification: Verification) -> str:
         verification: claims without an erratum are passed over; slow ones left out are listed as not checked.
 
     Returns the text: for each erratum its number, what is wrong, the printed and the correct form, how it was
-    checked and the verdict, in the order of the thesis, those not checked last.
+    checked and the verdict, in the order of the thesis, those not checked last. Those whose print is
+    uncertain have a section of their own.
+
+    Raises DomainError if there is no erratum among the claims.
     """
-    entries = [_entry(judgement.claim, judgement.verdict) for judgement in verification]
-    entries += [_entry(claim, "not checked") for claim in verification.left_out]
-    return _HEAD + ("\n".join(filter(None, entries)) or "None.\n") + _TAIL
+    found = [(judgement.claim, str(judgement.verdict)) for judgement in verification]
+    found += [(claim, "not checked") for claim in verification.left_out]
+    found = [(claim, verdict) for claim, verdict in found if claim.erratum]
+    if not found:
+        raise DomainError("There is no erratum among the selected claims: select others.")
+    certain, uncertain = (
+        "\n".join(_entry(claim, verdict) for claim, verdict in found if claim.uncertain is damaged)
+        for damaged in (False, True)
+    )
+    return _HEAD + certain + (f"\n{_DAMAGED}{uncertain}" if uncertain else "") + _TAIL
 
 
 def write_errata(path: str | os.PathLike[str], verification: Verification) -> None:
-    """Write `errata_document` to a file; raises OsculantError if it cannot be written."""
+    """Write `errata_document` to a file; raises OsculantError as that does, and if it cannot be written."""
     write_whole(path, errata_document(verification))
 
 
 def _entry(claim: Claim, verdict: str) -> str:
-    if not claim.erratum:
-        return ""
+    given = f", given {', '.join(claim.given)}" if claim.given else ""
     rows = [
-        ("Stated", latex(claim.statement)),
+        ("Correct", latex(claim.statement)),
         ("Erratum", latex(claim.erratum)),
-        *([] if claim.printed is None else [("Printed", _formula(claim.printed))]),
-        ("Correct", _formula(claim.form)),
-        ("Checked by", latex(claim.method + (f": {claim.reason}" if claim.reason else ""))),
+        *([] if claim.printed is None else [("Form printed", _formula(claim.printed))]),
+        ("Form correct", _formula(claim.form)),
+        ("Checked by", latex(claim.method + given + (f": {claim.reason}" if claim.reason else ""))),
         ("Verdict", rf"\textbf{{{verdict}}}"),
     ]
     lines = [rf"\item[{name}] {text}" for name, text in rows]
@@ -61,11 +75,9 @@ def _entry(claim: Claim, verdict: str) -> str:
 
 
 def _formula(form: str) -> str:
-    r"""A form as typed, which may be broken after a sign.
+    r"""A form as mathematics; one that is no formula as text.
 
-    >>> print(_formula("-k*x**2"))
-    \texttt{-\allowbreak{}k*\allowbreak{}x**\allowbreak{}2}
+    >>> print(_formula("-k*x**2"), _formula("k monotone"))
+    \ensuremath{-k\,x^{2}} k monotone
     """
-    parts = re.split(r"(?<=[-+/*,])(?!\*)", form)
-    broken = r"\allowbreak{}".join(map(latex, parts))
-    return rf"\texttt{{{broken}}}"
+    return formula_latex(form) or latex(form)

@@ -4,10 +4,24 @@ from __future__ import annotations
 
 import os
 import secrets
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
 from osculant.cas.errors import OsculantError
+
+#: suffixes of G-code, and all that `Spline.write` knows
+GCODE_SUFFIXES = (".nc", ".gcode", ".ngc")
+SUFFIXES = (".svg", ".json", *GCODE_SUFFIXES, ".dxf")
+
+
+def listed(words: Sequence[str]) -> str:
+    """The words with commas and an "and".
+
+    >>> listed([".a", ".b", ".c"])
+    '.a, .b and .c'
+    """
+    return f"{', '.join(words[:-1])} and {words[-1]}"
 
 
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:

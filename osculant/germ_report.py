@@ -84,6 +84,9 @@ class _Questions:
         ("milnor", ("milnor",)),
     )
 
+    #: questions that would only reach the caps that the codimension has reached
+    CAPPED = frozenset({"extended", "determinacy", "unfolding"})
+
     def __init__(self, germ: MapGerm, group: Group) -> None:
         self.germ, self.group = germ, group
         self.certificates: dict[str, Any] = dict.fromkeys(
@@ -98,8 +101,7 @@ class _Questions:
             if question == "milnor" and self.germ.target > 1:
                 continue
             try:
-                # what waits for the codimension would only reach the same caps
-                if question != "stable" and "codimension" in self.reasons:
+                if question in self.CAPPED and "codimension" in self.reasons:
                     raise UndecidedError(self.reasons["codimension"])
                 data |= dict(zip(keys, getattr(self, question)()))
             except (DomainError, UndecidedError) as error:

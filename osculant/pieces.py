@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 Point = tuple[float, float]
-Kind = Literal["ellipse", "parabola", "hyperbola", "segment"]
+Kind = Literal["ellipse", "parabola", "hyperbola", "segment", "arc"]
 
 
 def classify(weight: float) -> Kind:
@@ -56,7 +56,7 @@ class Piece:
     """A conic arc, or a segment, that stands for the curve on one parameter interval.
 
     Attributes:
-        kind: "ellipse", "parabola", "hyperbola" or "segment".
+        kind: "ellipse", "parabola", "hyperbola", "segment", or "arc" of a circle.
         interval: the curve's parameters at both ends.
         start: first end point P₀.
         end: last end point P₂.
@@ -97,6 +97,37 @@ class Piece:
         """
         middle = (start[0] / 2 + end[0] / 2, start[1] / 2 + end[1] / 2)
         return cls("segment", interval, start, end, middle, 1.0, error)
+
+    @classmethod
+    def arc(
+        cls, interval: tuple[float, float], start: Point, end: Point, tangent: Point, error: float = 0.0
+    ) -> Piece:
+        """Return the circular arc between two points with that unit tangent at the first.
+
+        It must turn by less than 2π; near that its points are ill-conditioned.
+
+        >>> Piece.arc((0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)).bounding_box()
+        (-1.0, 0.0, 1.0, 1.0)
+        """
+        dx, dy = end[0] - start[0], end[1] - start[1]
+        chord = math.hypot(dx, dy)
+        weight = (tangent[0] * dx + tangent[1] * dy) / chord
+        if weight > 1 - 1e-3:  # from the sine: an arc is no hyperbola
+            sine = (tangent[0] * dy - tangent[1] * dx) / chord
+            weight = math.sqrt((1 - sine) * (1 + sine))
+        reach = chord / 2
+        middle = (weight * start[0] + reach * tangent[0], weight * start[1] + reach * tangent[1])
+        return cls("arc", interval, start, end, middle, weight, error)
+
+    @cached_property
+    def arcs(self) -> tuple[Piece]:
+        """The conic arcs it is made of: itself."""
+        return (self,)
+
+    @property
+    def share(self) -> float:
+        """The part of the interval that belongs to the first of `arcs`."""
+        return 1.0
 
     @cached_property
     def legs(self) -> tuple[Point, Point, Point]:

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.expression import Node, from_sympy, number
-from osculant.cas.formula import parse_constant, parse_tuple
-from osculant.cas.text import to_text
+from osculant.formula_curve import DIGITS, FormulaCurve, as_constant
 
 if TYPE_CHECKING:
     import numpy as np
@@ -21,39 +15,10 @@ if TYPE_CHECKING:
     from osculant.cas.plane_exact import ExactInvariants
     from osculant.codegen.jets import CompiledJet
 
-#: characters of a constant shown in messages
-LONGEST_SHOWN = 40
-#: intervals shorter than this part of their ends are beyond doubles
-RESOLVED = 1e-13
-#: digits of `PlaneCurve.at` if nothing else is asked for
-DIGITS = 15
+__all__ = ["DIGITS", "PlaneCurve", "as_constant"]
 
 
-def as_constant(value: Any, what: str) -> Node:
-    """An end of an interval or another constant, exactly: a formula as text, a number, or sympy's.
-
-    Floats are read as the decimal they print as.  Raises FormulaError, naming ``what``.
-
-    >>> to_text(as_constant("2*pi", "the end"))
-    '2*pi'
-    """
-    if isinstance(value, Node):
-        return value
-    if isinstance(value, str):
-        try:
-            return parse_constant(value)
-        except FormulaError as error:
-            raise FormulaError(f"{what}: {error}") from None
-    if isinstance(value, float):
-        if not math.isfinite(value):
-            raise FormulaError(f"{what} is {value}: give a finite number or a formula such as 2*pi.")
-        return number(Fraction(repr(value)))
-    if isinstance(value, (int, Fraction)):
-        return number(Fraction(value))
-    return from_sympy(value)
-
-
-class PlaneCurve:
+class PlaneCurve(FormulaCurve):
     """A plane curve t ↦ (x(t), y(t)) on a closed interval.
 
     Args:
@@ -69,55 +34,7 @@ class PlaneCurve:
     ('t*cos(t), t*sin(t)', (t**2 + 2)/(t**2 + 1)**(3/2))
     """
 
-    def __init__(self, coordinates: Any, low: Any = None, high: Any = None) -> None:
-        self.coordinates = _coordinates(coordinates)
-        self.text = ", ".join(to_text(c) for c in self.coordinates)
-        if (low is None) != (high is None):
-            raise DomainError("A curve needs both ends of its interval, or neither.")
-        self._ends = None if low is None else (as_constant(low, "--from"), as_constant(high, "--to"))
-        if self._ends is not None:
-            self._check_interval(*self._ends)
-
-    def _check_interval(self, low: Node, high: Node) -> None:
-        from osculant.cas.balls import PRECISION, constant, precision
-
-        with precision(PRECISION):
-            a, b = constant(low), constant(high)
-            for name, value, node in (("--from", a, low), ("--to", b, high)):
-                if not value.is_finite():
-                    raise FormulaError(
-                        f"{name} {to_text(node)} has no finite real value: give another number."
-                    )
-            if not a < b:
-                raise DomainError(
-                    f"The interval from {_shown(low)} to {_shown(high)} is empty or reversed: "
-                    "the first end must be smaller than the second."
-                )
-            if not (
-                math.isfinite(float(a))
-                and math.isfinite(float(b))
-                and float(b) - float(a) > RESOLVED * max(abs(float(a)), abs(float(b)))
-            ):
-                raise DomainError(
-                    f"The interval from {_shown(low)} to {_shown(high)} is too short or too far out for "
-                    "double numbers: scale the parameter."
-                )
-
-    @property
-    def ends(self) -> tuple[Node, Node]:
-        """The ends of the interval as exact constants; raises DomainError if the curve has none."""
-        if self._ends is None:
-            raise DomainError(f"The curve {self.text} has no interval: give both ends, such as 0 and 2*pi.")
-        return self._ends
-
-    @property
-    def interval(self) -> tuple[float, float]:
-        """The ends of the interval as the nearest doubles."""
-        from osculant.cas.balls import PRECISION, constant, precision
-
-        with precision(PRECISION):
-            low, high = (float(constant(end).mid()) for end in self.ends)
-        return low, high
+    dimension, called, example = 2, "plane", "t, t^2"
 
     @cached_property
     def balls(self) -> CurveBalls:
@@ -138,7 +55,8 @@ class PlaneCurve:
         """The invariants as simplified expressions."""
         from osculant.cas.plane_exact import ExactInvariants
 
-        return ExactInvariants(*self.coordinates, "t", *(self._ends or ()))
+        x, y = self.coordinates
+        return ExactInvariants(x, y, "t", *(self._ends or ()))
 
     def invariants(self) -> dict[str, Any]:
         """All exact invariants by name: sympy expressions, pairs of them for vectors, None if undefined."""
@@ -181,36 +99,8 @@ class PlaneCurve:
         >>> PlaneCurve("t, t^2").at("0", 5)["curvature"]
         mpf('2.0')
         """
+        from osculant.cas.invariants import INVARIANTS
+        from osculant.cas.plane_exact import ORDER
         from osculant.evaluation import invariants_to_digits
 
-        return invariants_to_digits(self.balls, as_constant(t, "--at"), digits)
-
-    def __repr__(self) -> str:
-        where = "" if self._ends is None else f", t from {to_text(self._ends[0])} to {to_text(self._ends[1])}"
-        return f"<PlaneCurve {self.text}{where}>"
-
-
-def _shown(constant: Node) -> str:
-    """A constant in a message: its formula, unless that is long."""
-    text = to_text(constant)
-    return text if len(text) <= LONGEST_SHOWN else text[: LONGEST_SHOWN - 1] + "…"
-
-
-def _coordinates(given: Any) -> tuple[Node, Node]:
-    if isinstance(given, str):
-        nodes = parse_tuple(given)
-    elif isinstance(given, Sequence):
-        nodes = tuple(part if isinstance(part, Node) else _coordinate(part) for part in given)
-    else:
-        raise FormulaError(f"A curve is given by two formulas, such as 't, t^2'; {given!r} is not.")
-    if len(nodes) != 2:
-        raise FormulaError(
-            f"A plane curve has two coordinates, such as 't, t^2'; this formula has {len(nodes)}."
-        )
-    return nodes[0], nodes[1]
-
-
-def _coordinate(given: Any) -> Node:
-    from osculant.cas.formula import parse
-
-    return parse(given) if isinstance(given, str) else from_sympy(given)
+        return invariants_to_digits(self.balls, as_constant(t, "--at"), digits, INVARIANTS, ORDER)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rich.progress import Progress
 
     from osculant.asymptotics import Complexity
+    from osculant.formula_curve import FormulaCurve
     from osculant.plane import PlaneCurve
     from osculant.spline import Spline
     from osculant.tables import ComputedTable
@@ -105,7 +106,7 @@ def _listed(values: Sequence[float]) -> str:
     return shown + more if values else "none"
 
 
-def print_complexity(curve: PlaneCurve, law: Complexity, tolerance: float | None) -> None:
+def print_complexity(curve: FormulaCurve, law: Complexity, tolerance: float | None) -> None:
     """Print the leading constant, the order, and the pieces predicted for a tolerance."""
     constants = law.to_json()
     rows = [

@@ -1,4 +1,4 @@
-"""Splines of conic arcs: the result of an approximation, to be evaluated, written, drawn."""
+"""Splines of conic arcs or biarcs: the result of an approximation, to be evaluated, written, drawn."""
 
 from __future__ import annotations
 
@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
+from osculant.biarcs import Biarc
 from osculant.cas.errors import DomainError, OsculantError, UndecidedError
-from osculant.files import write_whole
-from osculant.pieces import Kind, Piece, combine
+from osculant.chains import Chain
+from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
+from osculant.pieces import Kind, Piece
 
 if TYPE_CHECKING:
     import os
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 
     from osculant.pieces import Floats
 
-__all__ = ["Kind", "Piece", "Spline"]
+__all__ = ["Biarc", "Kind", "Piece", "Spline"]
 
 
 class CurveText(Protocol):
@@ -53,7 +55,7 @@ class Spline:
 
     Attributes:
         curve: the curve approximated.
-        primitive: "parabola" or "conic".
+        primitive: "parabola", "conic" or "biarc".
         metric: "hausdorff".
         tolerance: the largest error allowed.
         pieces: the pieces in order; each starts where the one before ends.
@@ -79,7 +81,7 @@ class Spline:
     primitive: str
     metric: str
     tolerance: float
-    pieces: tuple[Piece, ...]
+    pieces: tuple[Piece | Biarc, ...]
     minimal: Literal["proved", "by theory", "unknown"]
     undecided: tuple[float, ...] = ()
     splits: tuple[float, ...] = ()
@@ -135,16 +137,14 @@ class Spline:
             return None
 
     @cached_property
-    def _table(self) -> tuple[Floats, ...]:
-        """Knots (N+1,), weights (N, 1), and P₀, P₂, A, B, C, each (N, 2)."""
-        weights = np.array([[piece.weight] for piece in self.pieces])
-        rows = [(piece.start, piece.end, *piece.legs) for piece in self.pieces]
-        return np.array(self.knots), weights, *np.moveaxis(np.array(rows, dtype=np.float64), 1, 0)
+    def _chain(self) -> Chain:
+        return Chain(self.pieces)
 
     def evaluate(self, t: ArrayLike) -> Floats:
         """Return the spline's points at parameters of the curve.
 
-        Within a piece the conic's own parameter is the affine fraction of the piece's interval. So the result
+        Within a piece the conic's own parameter is the affine fraction of the piece's interval; a biarc's
+        interval is divided by the lengths of its arcs. So the result
         is on the spline, but in general not the foot of the curve's point at t; it may be farther from that
         than the error.
 
@@ -158,7 +158,7 @@ class Spline:
             DomainError: a parameter outside.
         """
         t = np.asarray(t, dtype=np.float64)
-        knots, weights, *vectors = self._table
+        knots = np.array(self.knots)
         outside = ~((t >= knots[0]) & (t <= knots[-1]))
         if outside.any():
             raise DomainError(
@@ -166,14 +166,12 @@ class Spline:
                 f"its parameters go from {knots[0].item()!r} to {knots[-1].item()!r}."
             )
         i = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(self) - 1)
-        u = (t - knots[i]) / (knots[i + 1] - knots[i])
-        return combine(u[..., None], weights[i], *(vector[i] for vector in vectors))
+        return self._chain.points(i, (t - knots[i]) / (knots[i + 1] - knots[i]))
 
     def sample(self, n: int) -> Floats:
         """Return n >= 2 points on each piece, as `Piece.sample`, knots once; shape (N(n−1)+1, 2)."""
-        _, weights, *vectors = self._table
-        u = np.linspace(0.0, 1.0, n)[None, 1:, None]
-        points = combine(u, weights[:, None], *(vector[:, None] for vector in vectors))
+        i, u = np.broadcast_arrays(np.arange(len(self))[:, None], np.linspace(0.0, 1.0, n)[None, 1:])
+        points = self._chain.points(i, u)
         return np.concatenate([np.array([self.pieces[0].start]), points.reshape(-1, 2)])
 
     def bounding_box(self) -> tuple[float, float, float, float]:
@@ -209,7 +207,8 @@ class Spline:
         Keys: "primitive", "metric", "tolerance", "pieces" (their number), "knots", "error", "error_kind",
         "errors", "predicted", "predicted_pieces" (null where unknown or not finite), "minimal", "undecided",
         "segments" (the pieces: "kind", "interval", "points" with null for a control point at infinity,
-        "weight", "error", and "middle", the homogeneous control point), "certificate" (null: none was asked
+        "weight", "error", and "middle", the homogeneous control point; of biarcs what `Biarc.to_json` says),
+        "certificate" (null: none was asked
         for); further "curve" (the formula), "splits" and "cusps" (parameters).
         """
         predicted = self.predicted
@@ -240,9 +239,10 @@ class Spline:
         """Write the spline to a file, whole or not at all; its suffix says how.
 
         Args:
-            path: ".svg" writes a picture (`osculant.svg`), ".json" what `to_json` returns.
-            reserve: how far what is written may be from the pieces; by default as `osculant.svg` says. JSON
-                holds every number exactly.
+            path: ".svg" writes a picture (`osculant.svg`), ".json" what `to_json` returns; of biarcs also
+                G-code (".nc", ".gcode" or ".ngc", `osculant.gcode`) and ".dxf" (`osculant.dxf`).
+            reserve: how far what is written may be from the pieces; by default as `osculant.svg` and
+                `osculant.gcode` say. JSON and DXF hold every number exactly.
             command: the command line that made the spline, recorded in a picture's description.
 
         Raises:
@@ -252,19 +252,27 @@ class Spline:
         >>> Spline.write(None, "spiral.png")
         Traceback (most recent call last):
         ...
-        osculant.cas.errors.OsculantError: Cannot write spiral.png: the known suffixes are .svg and .json;
-        plot() makes pictures of other kinds.
+        osculant.cas.errors.OsculantError: Cannot write spiral.png: the known suffixes are .svg, .json, .nc,
+        .gcode, .ngc and .dxf; plot() makes pictures of other kinds.
         """
-        from osculant.svg import svg
-
         suffix = Path(path).suffix.lower()
         if suffix == ".svg":
+            from osculant.svg import svg
+
             write_whole(path, svg(self, reserve=reserve, command=command))
+        elif suffix in GCODE_SUFFIXES:
+            from osculant.gcode import gcode
+
+            write_whole(path, gcode(self, reserve=reserve, command=command))
+        elif suffix == ".dxf":
+            from osculant.dxf import dxf
+
+            write_whole(path, dxf(self, command=command))
         elif suffix == ".json":
             write_whole(path, json.dumps(self.to_json(), indent=1, allow_nan=False) + "\n")
         else:
             raise OsculantError(
-                f"Cannot write {Path(path)}: the known suffixes are .svg and .json; "
+                f"Cannot write {Path(path)}: the known suffixes are {listed(SUFFIXES)}; "
                 "plot() makes pictures of other kinds."
             )
 

@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING, Any, Literal
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.text import to_text
 from osculant.plane import as_constant
+from osculant.primitives import PRIMITIVES
 
 if TYPE_CHECKING:
     from osculant.cas.special import SpecialPoint
     from osculant.plane import PlaneCurve
 
-#: what splits a spline of each primitive besides cusps and inflections
-BREAKS = {"parabola": "parabolic", "conic": "sextactic"}
 #: derivatives tried for the limit tangent at a cusp
 CUSP_ORDERS = 9
 
@@ -94,7 +93,7 @@ def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> D
     kind, proved = _kind(curve, primitive)
     names = ["cusp"]
     names += ["inflection"] if kind != "segment" else []
-    names += [BREAKS[primitive]] if kind == "generic" else []
+    names += [PRIMITIVES[primitive].splits] if kind == "generic" else []
     with precision(PRECISION):
         low, high = (constant(end) for end in curve.ends)
         found = special_points(curve.balls, *curve.ends, names)
@@ -128,9 +127,8 @@ def _kind(curve: PlaneCurve, primitive: str) -> tuple[Literal["generic", "segmen
             raise DomainError(f"The curve {curve.text} is a single point: give a formula that moves.")
         if vanishes(curve.balls, "inflection", low, high):
             return "segment", curve.exact.straight is True
-        if vanishes(curve.balls, BREAKS[primitive], low, high):
-            exact = curve.exact
-            return "exact", (exact.parabola if primitive == "parabola" else exact.conic) is True
+        if vanishes(curve.balls, PRIMITIVES[primitive].splits, low, high):
+            return "exact", getattr(curve.exact, PRIMITIVES[primitive].exact) is True
     return "generic", True
 
 

@@ -1,4 +1,4 @@
-"""Splines as SVG: `Q` for parabolas, `A` for elliptic arcs, `C` for hyperbolas, `L` for segments.
+"""Splines as SVG: `Q` for parabolas, `A` for ellipses and circles, `C` for hyperbolas, `L` for segments.
 
 What is written, read with exact arithmetic, stays within a `reserve` of the spline's exact pieces. Its parts:
 
@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
@@ -31,6 +31,7 @@ from osculant.tolerances import writing_reserve
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from osculant.biarcs import Biarc
     from osculant.pieces import Piece, Point
     from osculant.spline import Spline
 
@@ -107,7 +108,7 @@ def svg(
     return "\n".join([*lines, "</g>", "</svg>", ""])
 
 
-def path_data(pieces: Sequence[Piece], reserve: float) -> tuple[str, int]:
+def path_data(pieces: Sequence[Piece | Biarc], reserve: float) -> tuple[str, int]:
     r"""Return joined pieces as the data of one SVG path, and the number of decimals of its coordinates.
 
     Args:
@@ -129,7 +130,7 @@ def path_data(pieces: Sequence[Piece], reserve: float) -> tuple[str, int]:
         raise ToleranceError(
             f"Coordinates of {largest:.3g} cannot be written to within {reserve!r}; allow at least {least!r}."
         )
-    commands = [command for piece in pieces for command in _commands(piece, reserve)]
+    commands = [command for piece in pieces for arc in piece.arcs for command in _commands(arc, reserve)]
     amplification = max(command.amplification for command in commands)
     # Rounding to d decimals moves a point by at most 10⁻ᵈ/√2.
     decimals = math.ceil(-math.log10(math.sqrt(2) * reserve / (4 * amplification)))
@@ -163,6 +164,10 @@ def _arcs(piece: Piece, reserve: float) -> list[Command] | None:
     size = math.hypot(*piece.legs[2]) + math.hypot(*piece.bulge) / (1 + piece.weight)
     for halvings in range(MOST_HALVINGS + 1):
         conic = ellipse(piece, halvings)
+        if piece.kind == "arc":
+            (ax, ay), _, (cx, cy) = piece.legs
+            radius = math.hypot(cx, cy) ** 2 * math.hypot(ax, ay) / (2 * abs(ax * cy - ay * cx))
+            conic = replace(conic, radii=(radius, radius), rotation=0.0)
         major, minor = conic.radii
         if not minor * LARGEST_AMPLIFICATION > major or not major < LARGEST_RADIUS * size:
             return None

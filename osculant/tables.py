@@ -1,7 +1,8 @@
 """Tables of the thesis, computed anew beside what it prints.
 
 Table 3.1 is about the Archimedean spiral (section 3.7.1), table 3.3 about Cayley's sextic (3.7.2), which is
-split at its sextactic point t = 0 for both primitives.
+split at its sextactic point t = 0 for both primitives. Tables whose printed numbers are lost are in
+`osculant.count_tables`.
 """
 
 from __future__ import annotations
@@ -10,7 +11,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
+from osculant import space_tables
 from osculant.cas.errors import DomainError
+from osculant.count_tables import CountTable, biarc_table
 
 Verdict = Literal["as printed", "corrected", "differs"]
 Quantity = Literal["experiment", "theory"]
@@ -151,15 +154,19 @@ def judge(computed: int, printed: int, erratum: Erratum | None) -> Verdict:
     return "as printed" if computed == printed else "differs"
 
 
-def compute(number: str, progress: Callable[[float], None] | None = None) -> ComputedTable:
-    """Compute a table of `PRINTED`: the splines counted, and the theoretical numbers.
+#: tables without printed numbers
+LOST = {**space_tables.LOST, "5": biarc_table}
+
+
+def compute(number: str, progress: Callable[[float], None] | None = None) -> ComputedTable | CountTable:
+    """Compute a table of `PRINTED` or `LOST`: the splines counted, and the theoretical numbers.
 
     Args:
-        number: "3.1" or "3.3".
+        number: "3.1", "3.3", "4.1", "4.2", "4.3" or "5".
         progress: called after each row with the part that is done.
 
     Returns:
-        The table; cells by primitive, then tolerance.
+        The table; of a printed one cells by primitive, then tolerance.
 
     Raises:
         DomainError: a table that is not known.
@@ -167,12 +174,15 @@ def compute(number: str, progress: Callable[[float], None] | None = None) -> Com
     >>> compute("3.2")
     Traceback (most recent call last):
     ...
-    osculant.cas.errors.DomainError: There is no table '3.2' here: choose 3.1 or 3.3.
+    osculant.cas.errors.DomainError: There is no table '3.2' here: choose 3.1 or 3.3 or 4.1 or 4.2 or 4.3
+    or 5.
     """
     from osculant.api import approximate, complexity, curve
 
+    if number in LOST:
+        return LOST[number](progress)
     if number not in PRINTED:
-        raise DomainError(f"There is no table {number!r} here: choose {' or '.join(PRINTED)}.")
+        raise DomainError(f"There is no table {number!r} here: choose {' or '.join([*PRINTED, *LOST])}.")
     printed = PRINTED[number]
     subject = curve(printed.formula, printed.low, printed.high)
     cells, constants = [], []

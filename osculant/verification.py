@@ -15,7 +15,18 @@ from queue import SimpleQueue
 from time import perf_counter
 from typing import Any, overload
 
-from osculant.cas.claims import Claim, Evidence, Judgement, Verdict, judge, means, select
+from osculant.cas.claims import (
+    Claim,
+    Evidence,
+    Judgement,
+    Method,
+    Verdict,
+    judge,
+    means,
+    registered,
+    select,
+)
+from osculant.cas.errors import DomainError
 
 #: processes that check claims at the same time
 PROCESSES = 2
@@ -69,15 +80,39 @@ class Verification(Sequence[Judgement]):
 
     @property
     def summary(self) -> str:
-        """The counts and the time in one line."""
+        """The counts, how many of those that hold rest on numerical evidence, and the time, in one line."""
         words = {Verdict.HOLDS: "hold", Verdict.FAILS: "fail"}
-        parts = [f"{count} {words.get(verdict, verdict)}" for verdict, count in self.counts.items()]
+        parts = [
+            f"{count} {words.get(verdict, verdict)}{self._by_evidence(verdict)}"
+            for verdict, count in self.counts.items()
+        ]
         slow = f"; {len(self.left_out)} slow left out" if self.left_out else ""
         return f"{', '.join(parts)}{slow}; {self.seconds:.3g} s"
+
+    def _by_evidence(self, verdict: Verdict) -> str:
+        found = sum(rests_on_evidence(j.claim) for j in self if j.verdict is verdict)
+        established = verdict in (Verdict.HOLDS, Verdict.CORRECTED)
+        return f" ({found} by numerical evidence)" if found and established else ""
 
     def to_json(self) -> list[dict[str, Any]]:
         """Plain data, a claim each: id, statement, verdict, method, printed, corrected, seconds and more."""
         return [judgement.to_json() for judgement in self]
+
+
+def rests_on_evidence(claim: Claim) -> bool:
+    """Whether a claim is checked by numerical evidence, or takes one for granted that is.
+
+    >>> rests_on_evidence(Claim("(0.1)", "", Method.PROOF, lambda form: Evidence(True), "5"))
+    False
+    """
+    known, waiting, seen = registered(), [claim], set()
+    while waiting:
+        one = waiting.pop()
+        if one.method is Method.NUMERICAL:
+            return True
+        seen.add(one.name)
+        waiting += [known[name] for name in one.given if name in known and name not in seen]
+    return False
 
 
 def verify(
@@ -99,7 +134,7 @@ def verify(
 
     Returns the judgements in the order of the thesis.
 
-    Raises DomainError for a name or chapter that selects nothing.
+    Raises DomainError for a name or chapter that selects nothing, and for a section given as a chapter.
 
     >>> import osculant as osc
     >>> osc.verify("Riemann")
@@ -113,8 +148,12 @@ def verify(
 def chosen(
     names: Sequence[str], chapter: str | int | None, slow: bool
 ) -> tuple[tuple[Claim, ...], tuple[Claim, ...]]:
-    """The claims selected, in two lots: those to check and the slow ones to leave out."""
-    selected = select(names, None if chapter is None else str(chapter))
+    """The claims selected, in two lots: those to check and the slow ones to leave out; "all" wins."""
+    wanted = None if chapter is None else str(chapter).strip()
+    if wanted is not None and "." in wanted:
+        raise DomainError(f"{wanted} is a section, not a chapter: name it alone, `osculant verify {wanted}`.")
+    everything = any(name.strip().lower() == "all" for name in names)
+    selected = select(() if everything else names, wanted)
     left_out = tuple(c for c in selected if c.slow and not slow and not any(means(n, c) for n in names))
     return tuple(claim for claim in selected if claim not in left_out), left_out
 

@@ -43,9 +43,7 @@ def model(primitive: str) -> tuple[Any, tuple[Any, Any, Any, Any]]:
     >>> sp.factor(d)
     e**4*(x - 1)**2*(x + 1)**2*(e*x + 5*m)/120
     """
-    if primitive not in ORDERS:
-        raise DomainError(f"End corrections are known for 'parabola' and 'conic', not for {primitive!r}.")
-    order = ORDERS[primitive]
+    order = _order(primitive)
     m, e, q, x = sp.symbols("m e q x")
     nodes = (m - e, m - e, m + e, m + e, m + e * x)
     # f has the degree order + 1, and a divided difference at five nodes lowers the degree by four
@@ -55,6 +53,12 @@ def model(primitive: str) -> tuple[Any, tuple[Any, Any, Any, Any]]:
         # the parts that do not depend on x belong to q
         bracket = sp.expand(bracket) - sp.expand(bracket).coeff(x, 0) - q
     return sp.expand(e**4 * (1 - x**2) ** 2 * bracket), (m, e, q, x)
+
+
+def _order(primitive: str) -> int:
+    if primitive not in ORDERS:
+        raise DomainError(f"End corrections are known for 'parabola' and 'conic', not for {primitive!r}.")
+    return ORDERS[primitive]
 
 
 @cache
@@ -82,8 +86,13 @@ def end_correction(primitive: str, digits: int = 12) -> Any:
 
 
 def greedy_contents(primitive: str, count: int) -> list[Any]:
-    """∫₀^{uₙ} ρ₀ du for n = 1 … count, uₙ the knots of the greedy spline of the model with error 1."""
-    order = ORDERS[primitive]
+    """∫₀^{uₙ} ρ₀ du for n = 1 … count, uₙ the knots of the greedy spline of the model with error 1.
+
+    Raises DomainError for an unknown primitive or a count below 1.
+    """
+    order = _order(primitive)
+    if not isinstance(count, int) or count < 1:
+        raise DomainError(f"A greedy spline is followed over 1 or more arcs, not over {count!r}.")
     equations, rate = _conditions(primitive)
     power = 1 + mpmath.mpf(1) / order
     knot, length, found = mpmath.mpf(0), (order + 1) * rate ** -(1 / power), []

@@ -144,7 +144,8 @@ class Branch:
 def branches(affine_curvature: Any, slope: Any, bend: Any) -> tuple[Branch, ...]:
     """The real solutions at given k, k′, k″ (mpmath numbers), the one of least |E| first.
 
-    Raises DomainError where two solutions coincide, k′² = 25k³: there the contact condition is singular.
+    Raises DomainError for what is no finite number, and where two solutions coincide, k′² = 25k³: there the
+    contact condition is singular.
 
     >>> import mpmath as mp
     >>> [mp.nstr(branch.residual, 6) for branch in branches(mp.mpf(1), mp.mpf(0), mp.mpf(0))]
@@ -152,7 +153,14 @@ def branches(affine_curvature: Any, slope: Any, bend: Any) -> tuple[Branch, ...]
     """
     import mpmath as mp
 
-    values = tuple(mp.mpf(c) for c in (affine_curvature, slope, bend))
+    given = (affine_curvature, slope, bend)
+    try:
+        values = tuple(mp.mpf(c) for c in given)
+    except (TypeError, ValueError):
+        raise DomainError(f"A G2 cubic needs k, k′, k″ as real numbers, not {given}.") from None
+    if not all(map(mp.isfinite, values)):
+        shown = ", ".join(mp.nstr(c, 6) for c in values)
+        raise DomainError(f"A G2 cubic needs finite numbers k, k′, k″, not {shown}.")
     condition, residual, terms = _compiled()
     cubed, squared = terms(*values)
     if abs(cubed + squared) <= SINGULAR * (abs(cubed) + abs(squared)):

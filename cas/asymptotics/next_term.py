@@ -24,6 +24,7 @@ import sympy as sp
 from flint import arb
 
 from osculant.cas.asymptotics.arc_displacement import KAPPA
+from osculant.cas.asymptotics.end_corrections import end_correction
 from osculant.cas.asymptotics.short_arcs import arc_error, rational_function
 from osculant.cas.balls import PRECISION, CurveBalls, precision
 from osculant.cas.complexity import integral
@@ -48,9 +49,13 @@ def density_terms(order: int) -> tuple[Any, Any]:
 
     Sympy expressions in the function a(s) and the symbols e₀ and e₂, in which a = e₀^{−1/p} is not inserted.
 
+    Raises DomainError for an order that is no positive integer.
+
     >>> density_terms(5)[1]
     -a(s)**2*Derivative(1/a(s), (s, 2))/24 + e2*a(s)/(5*e0)
     """
+    if not isinstance(order, int) or order < 1:
+        raise DomainError(f"The error of an arc has a positive whole order in its length, not {order!r}.")
     s, e0, e2 = sp.symbols("s e0 e2")
     a = sp.Function("a")(s)
     unit = sp.Integer(1)
@@ -115,7 +120,8 @@ def next_constant(curve: CurveBalls, primitive: str, low: Any, high: Any) -> tup
     """(c₁, estimated error) over [low, high], where e₀ must be smooth and not 0, both ends included.
 
     Raises DomainError naming a place where it may not be: an inflection, a singular point, k = 0 (parabola)
-    or dk/dr = 0 (conic). Raises UndecidedError if the quadrature does not settle.
+    or dk/dr = 0 (conic); where that is an end and k or dk/dr is 0, the message tells the correction, a
+    constant. Raises UndecidedError if the quadrature does not settle.
 
     >>> from osculant.cas.formula import parse_tuple
     >>> spiral = CurveBalls(parse_tuple("t*cos(t), t*sin(t)"))
@@ -138,7 +144,7 @@ def next_constant(curve: CurveBalls, primitive: str, low: Any, high: Any) -> tup
 def _require_smooth(curve: CurveBalls, primitive: str, low: Any, high: Any) -> None:
     special = "parabolic" if primitive == "parabola" else "sextactic"
     for kind in ("cusp", "inflection", special):
-        form, order = FORMS[kind]
+        form, order = FORMS[kind].form, FORMS[kind].order
         parts = [(low, high, 0)]
         while parts:
             a, b, depth = parts.pop()
@@ -148,12 +154,24 @@ def _require_smooth(curve: CurveBalls, primitive: str, low: Any, high: Any) -> N
             if wide and centre and not taylor_form(centre, wide, over - middle).contains(0):
                 continue
             if depth == DEPTH:
-                raise DomainError(
-                    f"The next term needs an integrand that is smooth and not 0, but "
-                    f"{MEANING[kind]} at or near "
-                    f"t = {float(middle):.10g}: take a stretch that keeps away from it."
-                )
+                raise DomainError(_refusal(kind, primitive, middle, (low, high), high - low))
             parts += [(middle, b, depth + 1), (a, middle, depth + 1)]
+
+
+def _refusal(kind: str, primitive: str, found: Any, ends: tuple[Any, Any], length: Any) -> str:
+    """Why there is no next term; the place is the end itself if it is within the last halving of it."""
+    near = [end for end in ends if float(abs(found - end)) <= float(abs(length)) / 2**DEPTH]
+    place = float(near[0]) if near else float(found)
+    advice = "take a stretch that keeps away from it"
+    if near and kind in ("parabolic", "sextactic"):
+        cost = float(end_correction(primitive))
+        law = f"C*tolerance^(-1/{arc_error(primitive).order})"
+        advice += f"; if the zero is simple, this end costs {cost:.6f} pieces more than {law}"
+    where = "at" if near else "at or near"
+    return (
+        f"The next term needs an integrand that is smooth and not 0, but {MEANING[kind]} {where} "
+        f"t = {place:.10g}: {advice}."
+    )
 
 
 def curvatures(curve: CurveBalls, t: Any, count: int) -> tuple[list[Any], Any]:

@@ -45,7 +45,7 @@ class OffsetCurve:
         terms: how many orders of P and Q are kept, at least 1: 1 for constants P0, Q0, 2 to add linear terms
             in u and the places, named Pu, Prho, …
 
-    Raises DomainError for fewer than four zeros.
+    Raises DomainError for fewer than four zeros, and for a place named like a symbol of the curves: u, k0, …
 
     >>> tangent = OffsetCurve(("0", "0", "rho", "rho"))
     >>> tangent.affine_curvature[0]
@@ -62,15 +62,27 @@ class OffsetCurve:
                 "generic affine curvature: give at least four contacts and one order."
             )
 
+        reserved = {"u", *self._names[len(self.places) :]}
+        clashes = reserved & set(self.zeros)
+        if clashes or not all(self.zeros):
+            raise DomainError(
+                f"A place of contact cannot be called {min(clashes, default='')!r}, which is a symbol of the "
+                "curves: choose another name, such as sigma."
+            )
+
     @property
     def places(self) -> tuple[str, ...]:
         """u and the other places, the variables of weight 1."""
         return ("u", *sorted(set(self.zeros) - {"0"}))
 
+    @property
+    def _names(self) -> list[str]:
+        linear = [f"{f}{p}" for f in "PQ" for p in self.places] if self.terms > 1 else []
+        return [*self.places, *(f"k{i}" for i in range(self.length)), "P0", "Q0", *linear]
+
     @cached_property
     def _generators(self) -> dict[str, Any]:
-        linear = [f"{f}{p}" for f in "PQ" for p in self.places] if self.terms > 1 else []
-        names = [*self.places, *(f"k{i}" for i in range(self.length)), "P0", "Q0", *linear]
+        names = self._names
         return dict(zip(names, fmpq_mpoly_ctx.get(names, Ordering.degrevlex).gens(), strict=True))
 
     @property

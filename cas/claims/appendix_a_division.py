@@ -55,7 +55,7 @@ def _classes(
             stated = read(form, {"m": sp.Integer(_class(*sides)), "n": sp.Integer(n)})
             granted = max(j for j in range(-1, m + 1) if nodes_needed(n, j) - 1 <= m)
             reached = _class(*(difference(side, n) for side in sides))
-            line = f"xᵐ|x|, m = {m}, n = {n}: {granted} derivatives granted, {reached} found, {stated} in the form"
+            line = f"xᵐ|x|, m = {m}, n = {n}: class {granted} granted, {reached} found, {stated} in the form"
             if not granted == reached == stated:
                 return Evidence(False, (line,))
             evidence = Evidence(True, (f"all n ≤ m ≤ 6; the last: {line}",))
@@ -150,8 +150,8 @@ def division_property(form: str) -> Evidence:
 def class_of_the_quotient(form: str) -> Evidence:
     """The quotient is the divided difference of Lemma A.1.1.2, which grants the class Cᵐ⁻ⁿ: nodes counted.
 
-    That it is no better in general is seen on (1 + x)xᵐ|x|, divided by the program by its zero 0, n times: both
-    sides of the quotient against each other. At a point that is no zero the quotient is as smooth as f.
+    That it is no better in general is seen on (1 + x)xᵐ|x|, divided by the program by its zero 0, n times:
+    both sides of the quotient against each other. Where f has no zero the quotient is as smooth as f.
     """
 
     def quotient(side: Any, n: int) -> Any:

@@ -25,6 +25,8 @@ from osculant.cas.claims.proof import read, read_tuple, vanishes
 def unit_junction_tangent(form: str) -> Evidence:
     """The length is computed; the slope N/T is compared with that of the derived junction tangent, to σ²."""
     along, across = read_tuple(form, {"kappa1": kappa1, "sigma": sigma}, 2)
+    if along == 0:
+        return Evidence(False, ("the tangent has no component along T",))
     unit = vanishes(along**2 + across**2 - 1, "squared length minus 1")
     tangent = spiral().junction()[1]
     derived = tangent[1][2].as_expr().subs(v, 0) * (sigma / 2) ** 2

@@ -41,9 +41,8 @@ def _along(weight: Any, reach: Any) -> Any:
 @claim(
     "R3.3-1",
     "The conics tangent to an arc at both ends are the members F = l₁² − 4Q l₀l₂ of a pencil (and the pair "
-    "of "
-    "lines l₀l₂ = 0), where l₀, l₂ vanish on the tangents at the last and first point, l₁ on the chord, and Q gives the weight "
-    "of R3.3-2.",
+    "of lines l₀l₂ = 0), where l₀, l₂ vanish on the tangents at the last and first point, l₁ on the chord, "
+    "and Q gives the weight of R3.3-2.",
     method=Method.PROOF,
     form="l1**2 - 4*Q*l0*l2",
     wrong=(
@@ -103,7 +102,8 @@ def pencil(form: str) -> Evidence:
 def weight(form: str) -> Evidence:
     """P₁ is where the end tangents meet; F vanishes along the Bézier arc with weight w exactly for ±w.
 
-    The weight −w gives the rest of the conic; w has the sign of sin ψ, for the arc to be inside P₀P₁P₂ if ψ < π.
+    The weight −w gives the rest of the conic; w has the sign of sin ψ, for the arc to be inside P₀P₁P₂ where
+    ψ < π.
     """
     value = read(form, NAMES)
     # P₁ = P₀ + (c sin B/ sin ψ)T₀ by the law of sines in the triangle of the end points and P₁

@@ -37,6 +37,8 @@ def _jet(text: str) -> PlaneJet:
 def _trigonometric_zero(expression: Any) -> bool:
     """Whether a polynomial in sines and cosines of multiples of t/3 is 0: it is one in z = e^{it/3}."""
     z = sp.Symbol("z")
+    if not all(sp.sympify(wave.args[0] / T).is_Rational for wave in expression.atoms(sp.sin, sp.cos)):
+        return False  # then it is linearly independent of what it is compared with
     waves = {
         wave: (z**n + z**-n) / 2 if isinstance(wave, sp.cos) else (z**n - z**-n) / (2 * sp.I)
         for wave in expression.atoms(sp.sin, sp.cos)
@@ -135,8 +137,7 @@ def spiral_monotone(form: str) -> Evidence:
 
     The form is an interval: it must contain the one of section 3.7.1.
     """
-    jet = _jet(SPIRAL[0])
-    polynomials = [sp.Poly(sp.expand(sp.simplify(z)), T) for z in (jet.parabolic_form, jet.sextactic_form)]
+    polynomials = _spiral_forms()
     low, high = read_tuple(form, {}, 2)
     wanted = read_tuple(f"{SPIRAL[1]}, {SPIRAL[2]}", {}, 2)
     if not (low <= wanted[0] and wanted[1] <= high):
@@ -147,6 +148,13 @@ def spiral_monotone(form: str) -> Evidence:
     return Evidence(counts == [0, 0], (line,))
 
 
+@cache
+def _spiral_forms() -> list[Any]:
+    """The parabolic and the sextactic form of the spiral, polynomials in t."""
+    jet = _jet(SPIRAL[0])
+    return [sp.Poly(sp.expand(sp.simplify(z)), T) for z in (jet.parabolic_form, jet.sextactic_form)]
+
+
 @claim(
     "section 3.7.2-6",
     "The arc of Cayley's sextic in tables 3.3 and 3.4 is −3π/4 ≤ t ≤ 3π/4.",
@@ -154,8 +162,8 @@ def spiral_monotone(form: str) -> Evidence:
     form="-3/4*pi, 3/4*pi",
     printed="-3/4*pi, 4/3*pi",
     wrong=("-2/3*pi, 2/3*pi",),
-    erratum="Section 3.7.2 seems to print −3π/4 ≤ t ≤ 4π/3, though it then splits the arc into [−3π/4, 0] and "
-    "[0, 3π/4]: unless 3π/4 was printed and the text has its fraction the wrong way round.",
+    erratum="Section 3.7.2 seems to print −3π/4 ≤ t ≤ 4π/3, though it then splits the arc into [−3π/4, 0] "
+    "and [0, 3π/4]: unless 3π/4 was printed and the text has its fraction the wrong way round.",
     uncertain=True,
 )
 def cayley_interval(form: str) -> Evidence:
@@ -163,9 +171,10 @@ def cayley_interval(form: str) -> Evidence:
     low, high = split(form, 2)
     with precision(64):
         parts = [enclosed_constant(CAYLEY, *ends, "parabola") for ends in ((low, "0"), ("0", high))]
-        counts = [
-            sum(int((part * arb(10**n).root(4)).ceil().unique_fmpz()) for part in parts) for n in range(1, 9)
-        ]
+        whole = [[(part * arb(10**n).root(4)).ceil().unique_fmpz() for part in parts] for n in range(1, 9)]
+        if any(None in pieces for pieces in whole):
+            return Evidence(False, (f"no constant is found for the interval from {low} to {high}",))
+        counts = [sum(map(int, pieces)) for pieces in whole]
     printed = [int(n) for n in read_tuple(PRINTED_PARABOLAS, {})]
     line = (
         f"constants {', '.join(p.str(8, radius=False) for p in parts)}: {', '.join(map(str, counts))} "

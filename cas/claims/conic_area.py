@@ -212,3 +212,23 @@ def equal_moons(form: str) -> Evidence:
     return vanishes((second - first).subs(c, crossing), f"difference of the moons at c = {form}") & vanishes(
         least, "area less the least area"
     )
+
+
+@claim(
+    "theorem 3.6.4-1",
+    "In its proof Q(σ, σ, ρ), σ = cρ, is Q(0, 0, 0) + ρ(cQ_u + cQ_σ + Q_ρ) + O(ρ²).",
+    method=Method.PROOF,
+    form="c*Q_u + c*Q_sigma + Q_rho",
+    printed="c*Q_u",
+    erratum="The proof of Theorem 3.6.4 expands Q(σ, σ, ρ) without the terms of Q_σ and Q_ρ: they are of the "
+    "order ρ as well, and harmless, since only Q(0, 0, 0) is used.",
+    wrong=("c*Q_u + c*Q_sigma", "Q_u + Q_sigma + Q_rho"),
+)
+def expansion_of_the_offset(form: str) -> Evidence:
+    """d/dρ of Q(cρ, cρ, ρ) at ρ = 0 for a Q with generic terms of order 1 and 2."""
+    first = sp.symbols("Q_u Q_sigma Q_rho", real=True)
+    place = (c * rho, c * rho, rho)
+    second = [sp.Symbol(f"Q{i}{j}") * place[i] * place[j] for i in range(3) for j in range(i, 3)]
+    along = sum(q * x for q, x in zip(first, place, strict=True)) + sum(second)
+    stated = read(form, {"c": c, **{s.name: s for s in first}})
+    return vanishes(sp.diff(along, rho).subs(rho, 0) - stated, "the coefficient of ρ")

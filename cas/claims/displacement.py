@@ -119,7 +119,7 @@ def side_by_side(form: str) -> Evidence:
     meeting = sp.solve([l0, l2], [x, y])
     names = {"P0": (sp.S.Zero, sp.S.Zero), "P2": (c, sp.S.Zero), "P1": (meeting[x], meeting[y])}
     try:
-        claimed = {names[name] for name in split(form, form.count(",") + 1)}
+        claimed = {names[name] for name in split(form, len(set(form.split(","))))}
     except KeyError as error:
         raise DomainError(f"No point is called {error}: use P0, P1 or P2.") from error
     line = f"common points {sorted(common, key=str)} with the chord from (0, 0) to (c, 0)"

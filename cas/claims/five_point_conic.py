@@ -9,7 +9,7 @@ from itertools import combinations
 from typing import Any
 
 import sympy as sp
-from flint import Ordering, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
 from osculant.cas.canonical import affine_arc
 from osculant.cas.claims.claim import Evidence, Method, claim
@@ -85,7 +85,7 @@ FACTORS = "*".join(f"(s{j} - s{i})" for i, j in combinations(range(1, POINTS + 1
     "differences [s₁, …, sₖ](Ψ∘α) as rows.",
     method=Method.PROOF,
     form=FACTORS,
-    wrong=(FACTORS.replace("s2 - s1", "s1 - s2"), FACTORS.replace("(s2 - s1)*", ""), f"({FACTORS})**2"),
+    wrong=(FACTORS.replace("s2 - s1", "s1 - s2"), FACTORS.replace("(s2 - s1)*", ""), f"3/2*{FACTORS}"),
 )
 def division_by_differences(form: str) -> Evidence:
     """The cofactors of the first row, polynomials: once with values as rows and once with differences.
@@ -96,7 +96,7 @@ def division_by_differences(form: str) -> Evidence:
     s = sp.symbols("s1:6")
     stated = sp.Poly(sp.expand(read(form, {symbol.name: symbol for symbol in s})), *s)
     context = fmpq_mpoly_ctx.get(["c2", "c3", *(symbol.name for symbol in s)], Ordering.degrevlex)
-    product = context.from_dict({(0, 0, *e): int(c) for e, c in stated.as_dict().items()})
+    product = context.from_dict({(0, 0, *e): fmpq(int(c.p), int(c.q)) for e, c in stated.as_dict().items()})
     c2, c3, *at = context.gens()
     zero, one = context.constant(0), context.constant(1)
     moments = [[zero] * i + [one] for i in range(6)]

@@ -46,6 +46,18 @@ def span_is_perpendicular(form: str) -> Evidence:
 
 
 @claim(
+    "(4.3)",
+    "A helix segment from (p₀, T₀) to (p₁, T₁) has ⟨p₁ − p₀, T₁ − T₀⟩ = 0.",
+    method=Method.PROOF,
+    form="T1 - T0",
+    wrong=("T1 + T0", "T1xT0", "T0", "T0 - T0"),
+)
+def necessary_condition(form: str) -> Evidence:
+    """The inner product of S± with the form's vector vanishes for every turning; it is not 0."""
+    return span_is_perpendicular(form)
+
+
+@claim(
     "(4.7)",
     "β⟨p₁ − p₀, T₁×T₀⟩ = τ̄±(1 − t₀)(φ cot(φ/2) − 2).",
     method=Method.PROOF,

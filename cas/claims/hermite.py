@@ -62,12 +62,13 @@ def hoellig_koch(form: str) -> Evidence:
 
 
 def _order_in_space(degree: int) -> int:
-    """The first order in which no curve of that degree meets a generic space curve (x, f(x), g(x)).
+    """The first order in which no curve of that degree meets a space curve (x, f(x), g(x)).
 
-    The curve is x = t + a₂t² + …; its other coordinates take care of the orders up to the degree.
+    The curve is x = t + a₂t² + …; its other coordinates take care of the orders up to the degree. f and g
+    have prime numbers for coefficients: no order is met by accident.
     """
     t, *free = sp.symbols(f"t a2:{degree + 1}")
-    f, g = sp.symbols("f2:7"), sp.symbols("g3:7")
+    f, g = (2, 3, 5, 7, 11), (13, 17, 19, 23)
     x = t + sum(c * t**i for i, c in enumerate(free, start=2))
     rows = [sum(c * x**i for i, c in enumerate(row, start=start)) for row, start in ((f, 2), (g, 3))]
     rest = [sp.Poly(sp.expand(row), t) for row in rows]
@@ -159,6 +160,8 @@ def number_of_solutions(form: str) -> Evidence:
     factor.
     """
     stated = read(form, {"k": k, "k1": k1})
+    if stated.subs({k: 1, k1: 0}) == 0:
+        return Evidence(False, ("the form is 0 for k = 1, k′ = 0, the discriminant is not",))
     factor = discriminant().subs({k: 1, k1: 0}) / stated.subs({k: 1, k1: 0})
     positive = Evidence(bool(factor.is_positive), (f"discriminant = {factor}·(form)",))
     return positive & vanishes(discriminant() - factor * stated, "discriminant")

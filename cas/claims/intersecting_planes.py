@@ -89,3 +89,24 @@ def basis(form: str) -> Evidence:
     """det(U₀, U₁, U₀×U₁) for generic vectors."""
     determinant = sp.Matrix([U0, U1, cross(U0, U1)]).det()
     return vanishes(determinant - read(form, PRODUCTS), "det(U₀, U₁, U₀×U₁)")
+
+
+@claim(
+    "(B.1)",
+    "The planes through p₀, p₁ with normals U₀, U₁ have the equations ⟨p − p₀, U₀⟩ = 0, ⟨p − p₁, U₁⟩ = 0.",
+    method=Method.PROOF,
+    form="p - p0, p - p1",
+    wrong=("p + p0, p - p1", "p - p1, p - p0", "p - p0, p", "0*p, p - p1"),
+)
+def equations_of_planes(form: str) -> Evidence:
+    """A generic point of the plane satisfies the equation, and one off it by the normal U does not.
+
+    The points of a plane are q + U×w for any w; the equation takes the value |U|² at q + U.
+    """
+    w = _generic("w")
+    evidence = Evidence(True)
+    for i, (q, normal) in enumerate(((P0, U0), (P1, U1))):
+        for aside, expected, where in ((cross(normal, w), 0, "in"), (normal, dot(normal, normal), "off")):
+            stated = read_vectors(form, {}, {"p": add(q, aside), "p0": P0, "p1": P1}, 2)[i]
+            evidence &= vanishes(sp.expand(dot(stated, normal) - expected), f"a point {where} plane {i}")
+    return evidence

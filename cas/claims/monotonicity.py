@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
@@ -157,8 +158,8 @@ def equal_moons(form: str) -> Evidence:
     both = ordered[0] * ordered[-1] < 0
     line = (
         f"instance, spiral on [1, 3]: equal moons {mp.nstr(firsts[7], 10)} and {mp.nstr(lasts[7], 10)} at "
-        f"σ* = {mp.nstr(crossing, 10)}; A₋ grows from {mp.nstr(firsts[0], 3)} to {mp.nstr(firsts[-1], 3)}, A₊ "
-        f"falls from "
+        f"σ* = {mp.nstr(crossing, 10)}; A₋ grows from {mp.nstr(firsts[0], 3)} to {mp.nstr(firsts[-1], 3)}, "
+        f"A₊ falls from "
         f"{mp.nstr(lasts[0], 3)} to {mp.nstr(lasts[-1], 3)}; the form is "
         f"{mp.nstr(dict(values)[crossing], 3)} at σ*"
     )
@@ -194,6 +195,13 @@ def least_area_unique(form: str) -> Evidence:
     Their difference is followed as the crossing moves along the arc: its changes of sign are counted. One
     means that the area falls to its minimum and then grows.
     """
+    counts, lines = _stationary()
+    return Evidence(counts == set(integers(form, 1)), lines)
+
+
+@cache
+def _stationary() -> tuple[set[int], tuple[str, ...]]:
+    """The numbers of stationary members found on five arcs, and where they cross."""
     lines, counts = [], set()
     with mp.workdps(15):
         for text, low, high in (*ARCS, (CAYLEY, "0", "2"), (SPIRAL, "0.5", "2.5")):
@@ -203,7 +211,7 @@ def least_area_unique(form: str) -> Evidence:
             lines.append(
                 f"{text} on [{low}, {high}]: stationary at σ = {mp.nstr(least_area(pencil), 8)} only"
             )
-    return Evidence(counts == set(integers(form, 1)), tuple(lines))
+    return counts, tuple(lines)
 
 
 @claim(
@@ -230,7 +238,7 @@ def excess_order(form: str) -> Evidence:
             excess.append(sum(moons(pencil, equisymmetric(pencil))) / least - 1)
         order = mp.log(excess[0] / excess[1], 2)
         line = f"spiral about t = 2: relative excess {mp.nstr(excess[0], 5)} and {mp.nstr(excess[1], 5)}"
-        return Evidence(True, (line,)) & agrees(order, *integers(form, 1), 1.5, "order")
+        return Evidence(True, (line,)) & agrees(order, integers(form, 1)[0], 1.5, "order")
 
 
 @claim(

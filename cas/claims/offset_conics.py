@@ -11,7 +11,7 @@ from osculant.cas.asymptotics.arc_displacement import KAPPA, displacement
 from osculant.cas.asymptotics.offset_curves import OffsetCurve
 from osculant.cas.claims.affine_curves import W, all_of, euclidean_frame, frenet_derivative, kappas
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.offset_curves import CROSSING, TANGENT, curvature_of_alpha
+from osculant.cas.claims.offset_curves import AT_ZERO, CROSSING, TANGENT, curvature_of_alpha
 from osculant.cas.claims.proof import integers, read, read_tuple, vanishes
 from osculant.cas.derivations.jets import bracket
 from osculant.cas.errors import DomainError
@@ -184,7 +184,7 @@ def mean_of_curvatures(form: str) -> Evidence:
 )
 def cited_formula(form: str) -> Evidence:
     """The formula cited, with the Q(0, 0, 0) that makes kβ constant, must be known to the orders 0 and 1."""
-    formulas = {"lemma 3.5.1.1": (TANGENT, 0), "(3.4)": (TANGENT, 0), "lemma 3.5.1.2": (CROSSING, 1)}
+    formulas = {"lemma 3.5.1.1": (TANGENT, 0), "(3.4)": (AT_ZERO, 0), "lemma 3.5.1.2": (CROSSING, 1)}
     if form not in formulas:
         raise DomainError(f"The formulas for kβ are {', '.join(formulas)}, not {form!r}.")
     curve, last = formulas[form]

@@ -234,7 +234,10 @@ def offset_curvature(form: str) -> Evidence:
     slope = phi.derivative()
     values = {"b23": bracket(second, third), "phi": phi, "phi_u": slope, "phi_uu": slope.derivative()}
     symbols = [sp.Symbol(name, real=True) for name in values]
-    stated = sp.lambdify(symbols, read(form, dict(zip(values, symbols, strict=True))))(*values.values())
+    formula = read(form, dict(zip(values, symbols, strict=True)))
+    if any(not number.is_Integer for number in formula.atoms(sp.Number)):
+        raise DomainError(f"The form {form!r} is put into series: write it without fractions.")
+    stated = sp.lambdify(symbols, formula)(*values.values())
     difference = stated - series_of_derivatives(k).at(inner)
     left = [n for n, c in enumerate(difference.coefficients) if c != 0]
     line = f"kβ(u) − k(h(u)) vanishes up to order {difference.length - 1}" + (

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import sympy as sp
+
 from osculant.cas.asymptotics.offset_curves import OffsetCurve, bracket
 from osculant.cas.claims.affine_curves import all_of
 from osculant.cas.claims.claim import Evidence, Method, claim
@@ -18,6 +20,7 @@ from osculant.cas.claims.offset_curves import (
     to_order,
 )
 from osculant.cas.claims.proof import integers, order, read, read_tuple
+from osculant.cas.division import newton_of_polynomial
 
 
 def _symbols(curve: OffsetCurve, contact: Any) -> dict[str, Any]:
@@ -201,3 +204,22 @@ def curvature_of_the_crossing_curve(form: str) -> Evidence:
         in_class(CROSSING, series, value, 4, name)
         for series, value, name in zip(derived, stated, ("[β_uu, β_uuu]", "kβ"), strict=True)
     )
+
+
+@claim(
+    "lemma 3.5.1-8",
+    "In its second part P and Q depend on u, σ and ρ.",
+    method=Method.EXACT,
+    form="u, sigma, rho",
+    printed="u, rho",
+    erratum="The second part of Lemma 3.5.1 has P and Q as functions on I × I, but takes them at (u, σ, ρ).",
+    wrong=("u, sigma", "u, sigma, rho, k"),
+)
+def arguments_of_the_offset(form: str) -> Evidence:
+    """They are divided differences of the offset at 0, 0, ρ, ρ, σ, u: for x⁶ one with all of these names."""
+    names = {name: sp.Symbol(name) for name in ("u", "sigma", "rho", "k")}
+    stated = read_tuple(form, names)
+    nodes = [sp.S.Zero, sp.S.Zero, *(names[name] for name in ("rho", "rho", "sigma", "u"))]
+    sixth = sp.expand(newton_of_polynomial([sp.S.Zero] * 6 + [sp.S.One], nodes).coefficients[-1])
+    found = Evidence(sixth.free_symbols == set(stated), (f"[0, 0, ρ, ρ, σ, u]x⁶ = {sixth}",))
+    return found & Evidence(len(stated) == len(set(stated)), (f"{len(stated)} arguments",))

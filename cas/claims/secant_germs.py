@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.claims.claim import Check, Evidence, Method, claim
-from osculant.cas.claims.proof import integers, read, read_tuple, vanishes
+from osculant.cas.claims.proof import integers, read, read_tuple, split, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.codimension import codimension
@@ -45,6 +45,13 @@ def _codimensions(entry: Entry) -> tuple[int, int, bool]:
     return int(a), int(b), stable
 
 
+def _pair(text: str) -> tuple[int, ...]:
+    cods = text.split("/")
+    if len(cods) != 2 or not all(cod.strip().isdigit() for cod in cods):
+        raise DomainError(f"{text!r} is no pair of codimensions: write for instance 1/4.")
+    return tuple(int(cod) for cod in cods)
+
+
 def _table_check(n: int) -> Check:
     def check(form: str) -> Evidence:
         """A(H)-codimension of f with S = f(x̄, ȳ, λ², v) and A-codimension of π, for every sign; exactly.
@@ -52,7 +59,7 @@ def _table_check(n: int) -> Check:
         Each S must be stable, and the rule of the strata must hold: cod S + cod π − (the least cod π in the
         orbit of S) = cod π − (n − 2) ≤ 3, the dimension of the pairs (p, w).
         """
-        claimed = [tuple(int(k) for k in pair.split("/")) for pair in form.split(",")]
+        claimed = [_pair(text) for text in split(form, form.count(",") + 1)]
         evidence = Evidence(True)
         least = 0
         computed = []
@@ -242,7 +249,7 @@ def exceptional_moduli(form: str) -> Evidence:
         *(f"{e}" for e in found.exceptional),
         f"multiple points degenerate at c = {', '.join(map(str, sorted(degenerate)))}",
     )
-    return Evidence(sorted(values) == sorted(degenerate) == claimed, lines)
+    return Evidence(values == degenerate == set(claimed) and len(values) == len(claimed), lines)
 
 
 @claim(

@@ -97,11 +97,10 @@ def check_of(entry: Entry) -> Check:
 
 def _register(entry: Entry) -> None:
     cod, degree = entry.value("cod"), entry.value("determinacy")
-    target = "p ≥ 7" if entry.id == "7a" else f"p = {entry.id[0]}"
+    target = " for p ≥ 7" if entry.id == "7a" else ""
     claim(
         f"table 6.2-{entry.id}",
-        f"Row {entry.id}, {target}: the germ is A(H)-stable of codimension {cod}; degree of determinacy "
-        f"{degree}.",
+        f"({entry.text}) is A(H)-stable{target}, of codimension {cod}, and exactly {degree}-determined.",
         method=Method.EXACT,
         form=entry.text,
         printed=entry.printed,

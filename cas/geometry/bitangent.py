@@ -28,6 +28,16 @@ SAMPLES = 40
 STEPS = 60
 
 
+def _real(value: Any, what: str) -> Any:
+    """An mpmath number; raises DomainError for anything that is no real number."""
+    try:
+        return mp.mpf(value)
+    except (TypeError, ValueError):
+        raise DomainError(
+            f"{what} {value!r} is not a real number: give a float or an mpmath number."
+        ) from None
+
+
 def bracket(v: Vector, w: Vector) -> Any:
     """The determinant [v, w].
 
@@ -57,7 +67,13 @@ class ReferenceCurve:
 
     def frame(self, t: Any) -> Frame:
         """The curve at a parameter; raises DomainError where it is undefined or has no tangent."""
-        (x0, x1, x2), (y0, y1, y2) = self._program.run(mp.mpf(t), self._field)
+        t = _real(t, "The parameter")
+        try:
+            (x0, x1, x2), (y0, y1, y2) = self._program.run(t, self._field)
+        except ZeroDivisionError:
+            raise DomainError(
+                f"The curve is undefined at t = {mp.nstr(t, 10)}: end the arc before."
+            ) from None
         speed = mp.hypot(x1, y1)
         if not mp.isfinite(speed) or speed == 0:
             raise DomainError(f"The curve has no tangent at t = {mp.nstr(t, 10)}: end the arc before.")
@@ -104,7 +120,8 @@ class BitangentPencil:
         curve: a `ReferenceCurve`.
         a, b: parameters of the ends; the arc must be convex and turn by less than 2π.
 
-    Raises DomainError if the chord or the tangents at the ends are degenerate.
+    Raises DomainError if the chord or the tangents at the ends are degenerate; so do the methods for a Q that
+    is not positive and finite.
 
     >>> quarter = BitangentPencil(ReferenceCurve("cos(t), sin(t)"), 0, mp.pi / 2)
     >>> mp.nstr(quarter.weight(quarter.through(0.3))**2, 12), mp.nstr(quarter.hausdorff(quarter.parabola), 6)
@@ -112,7 +129,7 @@ class BitangentPencil:
     """
 
     def __init__(self, curve: ReferenceCurve, a: Any, b: Any) -> None:
-        self.curve, self.a, self.b = curve, mp.mpf(a), mp.mpf(b)
+        self.curve, self.a, self.b = curve, *(_real(end, "The end of an arc") for end in (a, b))
         self.first, self.last = curve.frame(self.a), curve.frame(self.b)
         p, q = self.first.point, self.last.point
         self.chord = mp.hypot(q[0] - p[0], q[1] - p[1])
@@ -147,11 +164,11 @@ class BitangentPencil:
 
     def weight(self, q: Any) -> Any:
         """The rational Bézier weight w of the member Q: 1 parabola, below ellipses, above hyperbolas."""
-        return self.sin_psi * mp.sqrt(q / (self.sin_a * self.sin_b))
+        return self.sin_psi * mp.sqrt(_positive(q) / (self.sin_a * self.sin_b))
 
     def control(self, q: Any) -> Vector:
         """wP₁ = wP₀ + V of the member Q, finite also where the end tangents are parallel."""
-        reach = self.chord * mp.sqrt(q * self.sin_b / self.sin_a)
+        reach = self.chord * mp.sqrt(_positive(q) * self.sin_b / self.sin_a)
         w, (x, y), (u, v) = self.weight(q), self.first.point, self.first.tangent
         return w * x + reach * u, w * y + reach * v
 
@@ -174,13 +191,18 @@ class BitangentPencil:
         return self.sin_a * self.sin_b / self.sin_psi**2
 
     def through(self, t: Any) -> Any:
-        """The Q of the member through the inner point α(t)."""
-        l0, l1, l2 = self.lines(self.frame(mp.mpf(t)).point)
+        """The Q of the member through the inner point α(t); raises DomainError where there is none."""
+        l0, l1, l2 = self.lines(self.frame(_real(t, "The parameter")).point)
+        if not l0 * l2 > 0:
+            raise DomainError(
+                f"No single bitangent conic passes through the point at t = {mp.nstr(mp.mpf(t), 10)}: take "
+                f"an inner point of the arc over [{mp.nstr(self.a, 8)}, {mp.nstr(self.b, 8)}]."
+            )
         return l1**2 / (4 * l0 * l2)
 
     def displacement(self, t: Any, q: Any) -> Displacement:
         """The displacement of the member Q at α(t); raises UndecidedError if the normal misses the conic."""
-        frame = self.frame(t)
+        frame, q = self.frame(t), _positive(q)
         l0, l1, l2 = self.lines(frame.point)
         n0, n1, n2 = self._directions(frame.normal)
         second, first, rest = n1**2 - 4 * q * n0 * n2, 2 * (l1 * n1 - 2 * q * (l0 * n2 + l2 * n0)), (
@@ -253,6 +275,15 @@ class BitangentPencil:
             f"The best conic over [{mp.nstr(self.a, 8)}, {mp.nstr(self.b, 8)}] did not settle: shorten the "
             f"arc."
         )
+
+
+def _positive(q: Any) -> Any:
+    q = _real(q, "The parameter Q of a bitangent conic")
+    if not (q > 0 and mp.isfinite(q)):
+        raise DomainError(
+            f"The parameter Q of a bitangent conic is positive and finite, not {mp.nstr(q, 8)}."
+        )
+    return q
 
 
 def root_between(function: Callable[[Any], Any], low: Any, high: Any) -> Any:

@@ -150,8 +150,8 @@ def short_helix(
         The arc; a straight segment for T₀ = T₁, a half circle for T₀ = −T₁, both up to `SAME` units of
         rounding.
 
-    Raises DomainError if the points coincide, a tangent is 0, ⟨p₁ − p₀, T₁ − T₀⟩ ≠ 0, or T₀ = T₁ is not the
-    direction of p₁ − p₀.
+    Raises DomainError if something given is not finite or no number, the points coincide, a tangent is 0,
+    ⟨p₁ − p₀, T₁ − T₀⟩ ≠ 0, or T₀ = T₁ is not the direction of p₁ − p₀.
 
     >>> arc = short_helix((0, 0, 0), (0, 1, 0), (2, 0, 0), (0, -1, 0))
     >>> print(mp.nstr(arc.length, 5), mp.nstr(arc.helix.curvature, 5))
@@ -159,6 +159,8 @@ def short_helix(
     """
     if tolerance is None:
         tolerance = mp.eps ** (mp.mpf(2) / 3)
+    elif not tolerance >= 0:
+        raise DomainError(f"The tolerance of a short helix is not negative, but it is {tolerance}.")
     rounding = SAME * mp.eps
     with mp.extradps(GUARD):
         chord = subtract(_vector(p1), _vector(p0))
@@ -235,7 +237,12 @@ def _half_circle(p0: Vector3, T0: Vector3, chord: Vector3, distance: Any) -> Sho
 
 
 def _vector(a: Sequence[Any]) -> Vector3:
-    x, y, z = (mp.mpf(i.numerator) / i.denominator if isinstance(i, Fraction) else mp.mpf(i) for i in a)
+    try:
+        x, y, z = (mp.mpf(i.numerator) / i.denominator if isinstance(i, Fraction) else mp.mpf(i) for i in a)
+    except (TypeError, ValueError):
+        raise DomainError(f"A point or tangent in space needs three real numbers, not {a!r}.") from None
+    if not all(map(mp.isfinite, (x, y, z))):
+        raise DomainError(f"A point or tangent in space needs finite numbers, not {_show((x, y, z))}.")
     return x, y, z
 
 
@@ -248,4 +255,4 @@ def _unit(a: Sequence[Any], where: str) -> Vector3:
 
 
 def _show(a: Sequence[Any]) -> str:
-    return "(" + ", ".join(mp.nstr(x, 8) for x in _vector(a)) + ")"
+    return "(" + ", ".join(mp.nstr(mp.mpf(x), 8) for x in a) + ")"

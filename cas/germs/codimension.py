@@ -19,7 +19,7 @@ from osculant.cas.errors import UndecidedError
 from osculant.cas.germs.annihilator import Annihilator, Functional, annihilator
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
-from osculant.cas.germs.infinite import Curve, degenerate_curve
+from osculant.cas.germs.infinite import DEGREE, Curve, degenerate_curve
 from osculant.cas.germs.tangent import JetSpace, rows, vectors
 
 #: largest order of jets and largest number of columns tried before the answer is "undecided"
@@ -156,7 +156,7 @@ def codimension(germ: Germ, name: str | Group, extended: bool = False) -> Codime
                 return Codimension("infinite", None, bound, curve)
     raise UndecidedError(
         f"The {g.name} codimension of {germ} is not settled by jets of order {last_order(germ)} (where it is "
-        f"{found.codimension})."
+        f"{found.codimension}){_curves_skipped(germ)}."
     )
 
 
@@ -173,6 +173,10 @@ def contact_bound(germ: Germ, g: Group) -> int | Curve:
             if curve is not None:
                 return curve
     raise UndecidedError(f"Whether {germ} is K-finite is not settled by jets of order {last_order(germ)}.")
+
+
+def _curves_skipped(germ: Germ) -> str:
+    return "" if germ.polynomial(DEGREE) else ', and no proof of "infinite" is looked for off polynomials'
 
 
 class _Growth:

@@ -40,6 +40,8 @@ class Curve:
 
     >>> print(Curve((1, 2), (1, 0)))
     (t, 0)
+    >>> print(Curve((2, 1), (-2, 1), (1, -1)))
+    (-2*t**2, t) and (-2*t**2, -t)
     """
 
     exponents: tuple[int, ...]
@@ -56,7 +58,7 @@ class Curve:
     def __str__(self) -> str:
         def term(c: int, a: int) -> str:
             power = "t" if a == 1 else f"t**{a}"
-            return "0" if c == 0 else power if c == 1 else f"-{power}"
+            return {0: "0", 1: power, -1: f"-{power}"}.get(c, f"{c}*{power}")
 
         text = f"({', '.join(term(c, a) for c, a in zip(self.coefficients, self.exponents))})"
         if self.mirror is None:
@@ -83,7 +85,8 @@ def degenerate_curve(germ: Germ, group: Group) -> Curve | None:
     simple = list(islice(_curves(germ.n, UNITS), CURVES))
     pairs = (pair for curve in simple for pair in _mirrored(curve, jet, germ, group))
     orbits = (curve for curve in islice(_curves(germ.n, COEFFICIENTS), SHAPES) if trial.symmetric(curve))
-    return next((curve for curve in chain(simple, pairs, orbits) if trial.degenerate(curve)), None)
+    more = chain.from_iterable((curve, *_mirrored(curve, jet, germ, group)) for curve in orbits)
+    return next((curve for curve in chain(simple, pairs, more) if trial.degenerate(curve)), None)
 
 
 def _mirrored(curve: Curve, jet: Vector, germ: Germ, group: Group) -> Iterator[Curve]:

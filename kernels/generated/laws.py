@@ -37,3 +37,10 @@ def conic_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: flo
     _v7 = x1*y4
     _v8 = 3.0*_v0 - 3.0*_v1
     return ((1.0 / 30.0))*18.0**((1.0 / 5.0))*5.0**((3.0 / 10.0))*abs(_v2)**((2.0 / 5.0))*abs((_v2*(3.0*_v3*(-7.0*_v4 - 2.0*_v5 + 2.0*_v6 + 7.0*_v7) - 3.0*_v8*(x1*y5 + 5.0*x2*y4 - 5.0*x4*y2 - x5*y1)) - _v3*(40.0*(_v3 * _v3) - 8.0*_v8*(-_v4 + 4.0*_v5 - 4.0*_v6 + _v7)))/(_v2 * _v2 * _v2 * _v2))**((1.0 / 5.0))/((x1 * x1) + (y1 * y1))**((1.0 / 10.0))
+
+
+@kernel
+def biarc_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: float, y2: float, y3: float, y4: float, y5: float) -> float:
+    """Pieces of a biarc spline per unit of the parameter, times ε^(1/3)."""
+    _v0 = (x1 * x1) + (y1 * y1)
+    return ((1.0 / 18.0))*18.0**((1.0 / 3.0))*abs(_v0*(x1*y3 - x3*y1) - (x1*x2 + y1*y2)*(3.0*x1*y2 - 3.0*x2*y1))**((1.0 / 3.0))/math.sqrt(_v0)

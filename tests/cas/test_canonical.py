@@ -270,6 +270,16 @@ def test_orders_that_say_nothing(make, order):
         make(order)
 
 
+@pytest.mark.parametrize("make", [euclidean_arc, affine_arc, euclidean_graph, affine_graph])
+def test_orders_beyond_reach(make):
+    with pytest.raises(DomainError, match=r"whole number, not 2\.5"):
+        make(2.5)
+    with pytest.raises(DomainError, match="order 40 takes too long: the highest is 20, or 60"):
+        make(40)
+    with pytest.raises(DomainError, match="order 61 takes too long"):
+        make(61, [Fraction(1)] * 61)
+
+
 @pytest.mark.parametrize(("make", "needed"), [(euclidean_arc, 6), (affine_arc, 5), (affine_graph, 4)])
 def test_orders_beyond_the_jets(make, needed):
     one = Fraction(1)

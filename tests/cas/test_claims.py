@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 import re
+from fractions import Fraction
 
 import mpmath as mp
 import pytest
@@ -15,8 +16,19 @@ from hypothesis import strategies as st
 from osculant.cas.claims import Claim, Evidence, Method, Verdict, all_claims, judge, means, select
 from osculant.cas.claims.claim import claim as register
 from osculant.cas.claims.claim import registered
-from osculant.cas.claims.proof import agrees, encloses, read, read_tuple, vanishes
-from osculant.cas.errors import DomainError, FormulaError, UndecidedError
+from osculant.cas.claims.proof import (
+    agrees,
+    encloses,
+    integers,
+    order,
+    positive,
+    read,
+    read_tuple,
+    rounding,
+    split,
+    vanishes,
+)
+from osculant.cas.errors import DomainError, FormulaError, OsculantError, UndecidedError
 
 CLAIMS = all_claims()
 KINDS = "lemma|theorem|corollary|proposition|remark|conjecture|definition|algorithm|table|section"
@@ -48,10 +60,57 @@ def test_the_printed_form_of_an_erratum_fails(claim):
     assert rejected(claim.check(claim.printed)), claim.printed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("claim", every())
 def test_every_wrong_form_is_rejected(claim):
     for form in claim.wrong:
         assert rejected(claim.check(form)), form
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("claim", every())
+@pytest.mark.parametrize("form", ["?", "0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0"])
+def test_what_is_no_form_is_refused_in_a_sentence(claim, form):
+    try:
+        assert rejected(claim.check(form))
+    except OsculantError as refused:
+        assert str(refused).rstrip()[-1] in ".?^"  # a FormulaError ends with a mark under the place
+
+
+def test_what_a_proof_takes_for_granted_is_a_claim_and_shown():
+    known = {claim.name: claim for claim in CLAIMS}
+    leaning = {claim.name: claim for claim in CLAIMS if claim.given}
+    assert set(leaning) == {"proposition 3.3.4", "proposition 3.4.2"}
+    for claim in leaning.values():
+        assert set(claim.given) <= set(known) and claim.name not in claim.given
+        assert claim.to_json()["given"] == list(claim.given)
+    assert known["R3.2-2"].method is Method.NUMERICAL
+    assert "R3.2-2" in known["proposition 3.3.4"].given
+
+
+def test_readings_of_a_damaged_text_are_marked():
+    uncertain = [claim for claim in CLAIMS if claim.uncertain]
+    assert {"(4.10)", "algorithm 4.1.2", "lemma 2.3.4", "lemma 4.2.1", "section 3.7.2-6"} <= {
+        claim.name for claim in uncertain
+    }
+    for claim in uncertain:
+        assert claim.printed is not None and "seem" in claim.erratum and claim.to_json()["uncertain"] is True
+
+
+@pytest.mark.parametrize(
+    "name, right, wrong",
+    [
+        ("(4.10)", "-sqrt(2)/(1 - t0)*abs(q)/g", "-sqrt(2)/(1 - t0)*q/g"),
+        ("(2.3)", "b12/b12**(2/3)", "b12"),
+        ("section 3.2-1", "2*y - x**2 - k*y**2", "x**2 + k*y**2 - 2*y + 1"),
+        ("section 4.2-2", "-2*V0", "V0 - V0"),
+        ("corollary 4.2.3", "2*start - 2*end", "0"),
+        ("R3.3-1", "4*Q*l0*l2 - l1**2", "l1**2 - 2*Q*l0*l2"),
+    ],
+)
+def test_other_ways_to_write_a_form_hold_too(name, right, wrong):
+    (claim,) = (c for c in CLAIMS if c.name == name)
+    assert claim.check(right) and rejected(claim.check(wrong))
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.name)
@@ -203,6 +262,8 @@ def test_a_claim_that_cannot_fail_is_refused():
     for bad in ({"wrong": ()}, {"method": Method.NUMERICAL}, {"printed": "6"}):
         with pytest.raises(DomainError, match=r"'lemma 0\.0\.1' lacks"):
             register("lemma 0.0.1", "2 + 3 = 5", **good | bad)
+    with pytest.raises(DomainError, match="uncertain"):
+        register("lemma 0.0.1", "2 + 3 = 5", **good, uncertain=True)
     with pytest.raises(DomainError, match=r"registered twice, in .* and .*"):
         register(CLAIMS[0].name, "2 + 3 = 5", **good)(five)
     assert "lemma 0.0.1" not in registered()
@@ -283,14 +344,45 @@ def test_forms_are_read_and_nothing_else():
             read(bad, {"a": x})
 
 
+def test_the_parts_of_a_form_are_counted():
+    assert integers("4, 2 + 3", 2) == (4, 5) and split("a, -b", 2) == ["a", "-b"]
+    assert rounding("-0.50", 1) == (Fraction(-1, 2), Fraction(1, 200))
+    for read_parts in (lambda text: read_tuple(text, {}, 2), lambda text: integers(text, 2)):
+        for text in ("1", "1, 2, 3"):
+            with pytest.raises(DomainError, match=r"part.*: give 2\.$"):
+                read_parts(text)
+    with pytest.raises(DomainError, match="give 3"):
+        split("1, 2", 3)
+    for text in ("1/2", "pi", "2, 1.5"):
+        with pytest.raises(DomainError, match="integer"):
+            integers(text)
+    for text in ("0.5", "pi/2", ""):
+        with pytest.raises(DomainError, match="expected"):
+            rounding(text, 3)
+    with pytest.raises(DomainError, match="1 at least"):
+        order(sp.Integer(0))
+
+
+def test_signs_are_decided_at_a_point():
+    assert positive(p**2 + p, "both") and positive(sp.sqrt(2) * p, "root")
+    for wrong in (-p, sp.S.Zero, sp.nan, sp.zoo, sp.I * p):
+        assert not positive(wrong, "wrong")
+
+
+def test_what_is_infinite_or_no_polynomial_is_no_identity():
+    assert not vanishes(1 / (x - x), "pole")
+    with pytest.raises(DomainError, match="no polynomial in x"):
+        vanishes(sp.sin(x) + y, "sine", [(x**2 - y, x)])
+
+
 def test_numbers_agree_to_the_digits_wanted_and_no_more():
     assert agrees(1.001, 1, 2.9, "one") and not agrees(1.001, 1, 3.1, "one")
     with mp.workdps(60):
         third, off = mp.mpf(1) / 3, mp.mpf(1) / 3 + mp.mpf(10) ** -40
     assert agrees(off, third, 39, "third") and not agrees(off, third, 41, "third")
-    assert (
-        not agrees(-1, 1, 1, "sign") and not agrees(mp.nan, 1, 1, "nan") and not agrees(mp.inf, 1, 1, "inf")
-    )
+    for wrong in (-1, mp.nan, mp.inf):
+        assert not agrees(wrong, 1, 1, "wrong")
+    assert not agrees(1, 0, 1, "nothing") and not agrees(0, 0, 1, "nothing")
 
 
 def test_balls_must_be_narrow_and_right():

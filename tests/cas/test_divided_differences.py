@@ -235,3 +235,24 @@ def test_a_pole_and_a_node_that_is_no_zero():
 def test_a_series_too_short():
     with pytest.raises(DomainError, match="3 nodes needs the coefficient of order 2"):
         scaled_difference(PowerSeries([1, 2]), [0, 1, 2])
+
+
+@pytest.mark.parametrize(
+    "twice", [(0, 0), (1, Fraction(1)), (sp.sqrt(8), 2 * sp.sqrt(2)), (0.5, Fraction(1, 2))]
+)
+def test_a_node_given_twice(twice):
+    first, second = twice
+    with pytest.raises(DomainError, match="is given twice"):
+        hermite_data([(first, (1,)), (7, (3,)), (second, (2,))])
+
+
+def test_integrals_with_too_many_monomials():
+    with pytest.raises(DomainError, match="125970 monomials"):
+        hermite_genocchi([1] * 20, range(12))
+    assert hermite_genocchi([1] * 14, range(12)) == newton_of_polynomial([1] * 14, range(12)).coefficients[-1]
+
+
+@pytest.mark.parametrize("exponents", [(), (-1, 2), (1, 0.5), (Fraction(3, 2), 1)])
+def test_moments_with_other_exponents(exponents):
+    with pytest.raises(DomainError, match="whole numbers"):
+        simplex_moment(exponents)

@@ -268,6 +268,8 @@ def test_sympy_rings_expressions_and_balls():
         (lambda: solve(lambda y: y * y, Fraction(0), 3), "is 0 is singular"),
         (lambda: power(PowerSeries([2, 1]), Fraction(1, 2)), "must be given"),
         (lambda: power(PowerSeries([Fraction(0), 1]), Fraction(1, 2), Fraction(0)), "is 0 is singular"),
+        (lambda: power(PowerSeries([1, Fraction(1)]), 0.5), "exponent 0.5 .* Fraction"),
+        (lambda: PowerSeries([1, Fraction(1)]) ** 0.5, r"\*\* takes integers, not 0.5"),
         (lambda: PowerSeries([GENERATORS[0], GENERATORS[1]]).reciprocal(), "cannot be inverted"),
         (lambda: PowerSeries([arb(0, 1e-9), arb(1)]).reciprocal(), "may be 0"),
         (lambda: PowerSeries([arb(1), arb(1)]).at(PowerSeries([arb(0, 1e-9), arb(1)])), "without constant"),
@@ -276,6 +278,12 @@ def test_sympy_rings_expressions_and_balls():
 def test_bad_input(attempt, words):
     with pytest.raises(DomainError, match=words):
         attempt()
+
+
+def test_exponents_of_three_kinds():
+    f = PowerSeries([1, Fraction(1), 0, 0])
+    assert power(f, 2) == power(f, Fraction(2)) == f * f
+    assert power(f, sp.Rational(1, 3)) == power(f, Fraction(1, 3))
 
 
 def test_ratio_belongs_to_the_ring():

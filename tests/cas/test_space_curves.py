@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import mpmath as mp
 import pytest
@@ -172,3 +173,70 @@ def test_signs_between():
 def test_vectors():
     assert subtract((1, 2, 3), (1, 1, 1)) == (0, 1, 2)
     assert cross((1, 2, 3), (4, 5, 6)) == (-3, 6, -3)
+
+
+@pytest.mark.parametrize(
+    "attempt",
+    [
+        lambda: cross([1, 2], [3, 4]),
+        lambda: dot((1, 2, 3), (1, 2)),
+        lambda: subtract((1, 2, 3), (1, 2, 3, 4)),
+        lambda: scale(2, ()),
+        lambda: add((1, 2, 3), (1,)),
+    ],
+)
+def test_vectors_have_three_coordinates(attempt):
+    with pytest.raises(DomainError, match="three coordinates"):
+        attempt()
+
+
+def test_a_sum_of_nothing():
+    with pytest.raises(DomainError, match="at least one vector"):
+        add()
+
+
+@pytest.mark.parametrize(
+    ("name", "order"),
+    [
+        ("tangent", 1),
+        ("curvature", 2),
+        ("normal", 2),
+        ("torsion", 3),
+        ("curvature_slope", 3),
+        ("darboux_frame", 3),
+        ("torsion_slope", 4),
+        ("ratio_slope", 4),
+        ("axis_rate", 4),
+    ],
+)
+def test_a_jet_too_short_says_what_is_needed(name, order):
+    rows = [(1.0, 2.0, 0.5, 3.0, 1.0), (0.0, 1.0, 2.0, 1.0, 5.0), (3.0, 0.0, 1.0, 1.5, 2.0)]
+    assert getattr(SpaceJet(*(row[: order + 1] for row in rows)), name) is not None
+    with pytest.raises(DomainError, match=f"order {order - 1}, and the derivative of order {order} is"):
+        getattr(SpaceJet(*(row[:order] for row in rows)), name)
+
+
+def test_coordinates_of_unequal_orders():
+    with pytest.raises(DomainError, match="not 3, 1, 2"):
+        SpaceJet((0, 1, 0, 0), (0, 1), (0, 0, 1))
+
+
+INVARIANTS = ("torsion", "curvature_slope", "torsion_slope", "ratio_slope", "normal", "axis", "axis_rate")
+
+
+@pytest.mark.parametrize("number", [float, Fraction, mp.mpf])
+@pytest.mark.parametrize("name", INVARIANTS)
+def test_no_curvature_and_no_speed(number, name):
+    def root(value, _):
+        return number(math.isqrt(int(value)))
+
+    zero = [number(0)] * 5
+    straight = SpaceJet([number(n) for n in (0, 1, 0, 0, 0)], zero, zero, root)
+    assert straight.curvature == 0
+    with pytest.raises(DomainError, match="the curvature is 0"):
+        getattr(straight, name)
+    cusp = SpaceJet(*([number(n) for n in row] for row in ((0, 0, 1, 0, 0), (0, 0, 0, 1, 0))), zero, root)
+    with pytest.raises(DomainError, match="the speed is 0"):
+        getattr(cusp, name)
+    with pytest.raises(DomainError, match="the speed is 0"):
+        _ = cusp.curvature

@@ -17,6 +17,7 @@ from osculant.cas import isolate, special
 from osculant.cas.balls import PRECISION, CurveBalls, constant, padded, precision
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.exact import order_of_zero, simple_rational
+from osculant.cas.form_zeros import FormZeros
 from osculant.cas.formula import parse_constant, parse_tuple
 from osculant.cas.invariants import PlaneJet
 from osculant.cas.special import require_finite, special_points, vanishes
@@ -276,7 +277,7 @@ def test_a_proof_near_a_simple_number_does_not_reach_too_far():
 
 @pytest.mark.parametrize("name", CONIC)
 def test_long_series_of_forms_lose_no_term(name):
-    form, order = special.FORMS[name]
+    form, order = special.FORMS[name].form, special.FORMS[name].order
     jets = [[sp.diff(f, X, i) for i in range(order + 1)] for f in (sp.sin(X), sp.exp(X / 2))]
     last = sp.diff(sp.expand(form(PlaneJet(*jets))), X, 24).subs(X, 0) / sp.factorial(24)
     assert last != 0
@@ -351,9 +352,9 @@ def test_finite_curves_are_let_through():
 def counted(monkeypatch):
     """How often series over a ball are evaluated."""
     calls = []
-    evaluate = special._Evaluation.__call__
+    evaluate = FormZeros.evaluate
     monkeypatch.setattr(
-        special._Evaluation, "__call__", lambda self, t, names: calls.append(t) or evaluate(self, t, names)
+        FormZeros, "evaluate", lambda self, t, names: calls.append(t) or evaluate(self, t, names)
     )
     return calls
 
@@ -422,11 +423,11 @@ def test_simple_rational_is_the_simplest(low, width):
     ],
 )
 def test_order_of_zero(text, form, at, order):
-    zero = special.FORMS[form]
+    zero, curve = (special.FORMS[form].form, special.FORMS[form].order), CurveBalls(parse_tuple(text))
     for multiplicity in range(1, order + 1):
-        assert order_of_zero(parse_tuple(text), *zero, parse_constant(at), multiplicity)
-    assert not order_of_zero(parse_tuple(text), *zero, parse_constant(at), order + 1)
-    assert not order_of_zero(parse_tuple(text), *zero, parse_constant(f"{at} + 10^(-200)"), 1)
+        assert order_of_zero(curve, *zero, parse_constant(at), multiplicity)
+    assert not order_of_zero(curve, *zero, parse_constant(at), order + 1)
+    assert not order_of_zero(curve, *zero, parse_constant(f"{at} + 10^(-200)"), 1)
 
 
 def isolated(function, low, high):

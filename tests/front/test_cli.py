@@ -17,9 +17,10 @@ import pytest
 
 import osculant
 from osculant import report
-from osculant.arguments import SUFFIXES, UsageError, arrange
+from osculant.arguments import UsageError, arrange
 from osculant.cas.errors import OsculantError, UndecidedError
 from osculant.cli import main
+from osculant.files import SUFFIXES, listed
 from osculant.spline import Spline
 
 DATA = Path(__file__).parents[1] / "data"
@@ -83,7 +84,12 @@ MISTAKES = {
     "unknown name": (interval("q*t, t"), "'q'"),
     "unknown function": (interval("t, sine(t)"), "'sine'.*sin"),
     "one coordinate": (interval("t"), "two coordinates.* 1"),
-    "three coordinates": (interval("t, t, t"), "two coordinates.* 3"),
+    "four coordinates": (interval("t, t, t, t"), "two coordinates.* 4"),
+    "conics in space": (
+        [*interval("t, t^2, t^3"), "--with", "conic"],
+        "in space is approximated with bihelix",
+    ),
+    "bihelices in the plane": ([*interval("t, t^2"), "--with", "bihelix"], "two coordinates"),
     "empty interval": (interval("t, t^2", "1", "1"), "from 1 to 1 is empty"),
     "reversed interval": (interval("t, t^2", "2*pi", "0"), r"from 2\*pi to 0 is empty or reversed"),
     "variable in the interval": (interval("t, t^2", "t", "2"), "'t'"),
@@ -109,7 +115,10 @@ MISTAKES = {
     "no end": (CUBIC[:4], "give --to"),
     "no formula": (CUBIC[:1], "FORMULA"),
     "no command": (["aproximate"], "'aproximate': did you mean approximate"),
-    "strange command": (["t, t^2"], "choose one of approximate, complexity, invariants, tables"),
+    "strange command": (
+        ["t, t^2"],
+        "choose one of approximate, complexity, germ, invariants, tables, verify",
+    ),
     "option before": (["--verson"], "'--verson': did you mean --version"),
     "unknown option": ([*CUBIC, "--tolerence", "1"], "'--tolerence': did you mean --tolerance"),
     "short option": ([*CUBIC, "-x"], "'-x'"),
@@ -150,8 +159,9 @@ def test_a_mistake_is_one_sentence_and_status_2(arguments, says, capsys):
 
 #: what is wrong with an output in a folder that holds an empty "file" and the folder "folder.svg"
 UNWRITABLE = {
-    "suffix": (["--write", "a.dxf"], r"a\.dxf.*\.svg and \.json"),
-    "no suffix": (["--write", "svg"], r"\.svg and \.json"),
+    "suffix": (["--write", "a.step"], r"a\.step.*\.svg, \.json.* and \.dxf"),
+    "no suffix": (["--write", "svg"], r"\.svg, \.json.* and \.dxf"),
+    "conics as G-code": (["--with", "conic", "--write", "a.nc"], r"a\.nc.*conic.*biarc"),
     "no name": (["--write", ""], "without a name"),
     "folder": (["--write", "folder.svg"], r"folder\.svg: it is a folder"),
     "no folder": (["--write", "none/a.svg"], "there is no folder"),
@@ -185,9 +195,9 @@ def test_the_folder_of_an_output_may_be_forbidden(tmp_path, capsys, monkeypatch)
 
 def test_known_suffixes_are_those_of_the_spline(tmp_path, capsys):
     files = [tmp_path / f"spline{suffix}" for suffix in SUFFIXES]
-    assert main([*CUBIC, "--write", *map(str, files)]) == 0
+    assert main([*CUBIC, "--with", "biarc", "--tolerance", "1e-3", "--write", *map(str, files)]) == 0
     assert all(file.stat().st_size for file in files)
-    with pytest.raises(OsculantError, match=" and ".join(map(re.escape, SUFFIXES))):
+    with pytest.raises(OsculantError, match=re.escape(listed(SUFFIXES))):
         Spline.write(None, "spline.xyz")
 
 

@@ -182,7 +182,8 @@ def test_undecided_is_told_with_its_reason(monkeypatch):
     arguments = "sin(x)^2, sin(y)^2, 0", "--source", "x y"
     data = run_json(*arguments)
     assert_schema(data)
-    assert data["codimension"] is data["determinacy"] is data["unfolding"] is data["tjurina"] is None
+    assert data["codimension"] is data["determinacy"] is data["unfolding"] is None
+    assert data["multiplicity"] == 4  # an algebra with caps of its own
     assert "jets of order 6" in data["reason"]["codimension"]
     assert data["reason"]["determinacy"] == data["reason"]["codimension"]
     assert data["stable"] is False

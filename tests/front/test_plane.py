@@ -40,9 +40,9 @@ def test_ways_to_give_an_end(end):
     ("formulas", "low", "high", "error", "words"),
     [
         ("t", 0, 1, osc.FormulaError, "two coordinates"),
-        ("t, t, t", 0, 1, osc.FormulaError, "two coordinates"),
+        ("t, t, t, t", 0, 1, osc.FormulaError, "two coordinates"),
         (("t",), 0, 1, osc.FormulaError, "two coordinates"),
-        (7, 0, 1, osc.FormulaError, "two formulas"),
+        (7, 0, 1, osc.FormulaError, "two or three formulas"),
         ("t, u", 0, 1, osc.FormulaError, "u"),
         ("t, t^3", 1, 1, osc.DomainError, "empty or reversed"),
         ("t, t^3", 2, "sqrt(2)", osc.DomainError, "empty or reversed"),

@@ -199,8 +199,8 @@ def test_files_are_whole_or_absent(arcs, tmp_path):
         arcs.write(tmp_path / "folder.svg")
     with pytest.raises(OsculantError, match=r"missing/a\.svg: No such file or directory"):
         arcs.write(tmp_path / "missing" / "a.svg")
-    with pytest.raises(OsculantError, match=r"a\.dxf: the known suffixes are \.svg and \.json"):
-        arcs.write(tmp_path / "a.dxf")
+    with pytest.raises(OsculantError, match=r"a\.step: the known suffixes are \.svg, \.json, "):
+        arcs.write(tmp_path / "a.step")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.svg", "folder.svg"]
 
 

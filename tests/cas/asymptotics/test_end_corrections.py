@@ -77,3 +77,9 @@ def test_bad_input():
         model("biarc")
     with pytest.raises(DomainError, match="not to 40"):
         end_correction("conic", 40)
+    for attempt in (lambda: end_correction("cubic"), lambda: greedy_contents("cubic", 3)):
+        with pytest.raises(DomainError, match="'cubic'"):
+            attempt()
+    for count in (-1, 0, 2.5):
+        with pytest.raises(DomainError, match=f"1 or more arcs, not over {count}"):
+            greedy_contents("conic", count)

@@ -191,6 +191,15 @@ def test_other_choices_of_roots():
     assert conic_constant(5, speed((1,) * 5)) < conic_constant(5)
 
 
+@pytest.mark.parametrize("bad", [mp.nan, mp.inf, -mp.inf])
+def test_branches_at_no_number(bad):
+    for jet in ((bad, 0, 1), (1, bad, 1), (1, 0, bad)):
+        with pytest.raises(DomainError, match="finite numbers"):
+            branches(*jet)
+    with pytest.raises(DomainError, match="real numbers"):
+        branches("x", 0, 1)
+
+
 def test_singular_contacts():
     with pytest.raises(DomainError, match="coincide"):
         branches(1, 5, 2)

@@ -169,6 +169,33 @@ def test_refusals(primitive, text, low, high, what):
         following(primitive, text, low, high)
 
 
+@pytest.mark.parametrize(
+    ("primitive", "text", "low", "high", "says"),
+    [
+        ("conic", "t, t^2/2 + t^6", "0", "1/20", r"at t = 0: .* costs 0\.048366 .*\^\(-1/5\)"),
+        ("conic", "t, (t - 1)^2/2 + (t - 1)^6", "19/20", "1", r"at t = 1: .* costs 0\.048366"),
+        ("parabola", "t, t^2/2 + t^5", "0", "1/20", r"at t = 0: .* costs 0\.055030 .*\^\(-1/4\)"),
+        (
+            "parabola",
+            "t, t^2/2 + t^5",
+            "-1/20",
+            "1/30",
+            r"at or near t = [^:]*: take a stretch that [a-z ]*\.",
+        ),
+        ("conic", "t, t^3", "0", "1", r"at t = 0: take a stretch that [a-z ]*\."),
+    ],
+)
+def test_refusals_name_the_end_and_its_cost(primitive, text, low, high, says):
+    with pytest.raises(DomainError, match=says):
+        following(primitive, text, low, high)
+
+
+@pytest.mark.parametrize("order", [0, -3, 2.5])
+def test_orders_of_no_arc(order):
+    with pytest.raises(DomainError, match="positive whole order"):
+        density_terms(order)
+
+
 def test_other_refusals():
     with pytest.raises(DomainError, match="'biarc'"):
         following("biarc", *SPIRAL)

@@ -161,6 +161,33 @@ def test_bad_input_is_refused():
             pencil.hausdorff(pencil.through(1) * factor)
 
 
+def test_poles_ends_and_members_that_do_not_exist():
+    with pytest.raises(DomainError, match=r"undefined at t = 0\.0"):
+        BitangentPencil(ReferenceCurve("t, log(t)"), 0, 1)
+    with pytest.raises(DomainError, match=r"undefined at t = 0\.0"):
+        BitangentPencil(ReferenceCurve("t, 1/t"), 0, 1)
+    with pytest.raises(DomainError, match="no tangent at t = nan"):
+        BitangentPencil(ReferenceCurve(SPIRAL), mp.nan, 1)
+    for end in ("a", None, 1j):
+        with pytest.raises(DomainError, match=r"end of an arc .* is not a real number"):
+            BitangentPencil(ReferenceCurve(SPIRAL), end, 1)
+    pencil = BitangentPencil(ReferenceCurve("cos(t), sin(t)"), 0, 1)
+    for t in (0, 1):
+        with pytest.raises(DomainError, match="inner point of the arc"):
+            pencil.through(t)
+    for q in (-1, 0, mp.nan, "q"):
+        for attempt in (
+            pencil.weight,
+            pencil.control,
+            lambda q: pencil.member(q, 0.5),
+            lambda q: pencil.displacement(0.5, q),
+            pencil.peaks,
+            pencil.hausdorff,
+        ):
+            with pytest.raises(DomainError, match="parameter Q"):
+                attempt(q)
+
+
 def test_a_root_at_an_end_is_found():
     assert root_between(lambda t: t, mp.mpf(0), mp.mpf(1)) == 0
     assert root_between(lambda t: t - 1, mp.mpf(0), mp.mpf(1)) == 1

@@ -239,6 +239,25 @@ def test_what_cannot_be_joined(data, message):
         short_helix(*data)
 
 
+@pytest.mark.parametrize("bad", [mp.nan, mp.inf, float("nan"), sp.Symbol("a"), "b", None, 1j])
+@pytest.mark.parametrize("place", range(4))
+def test_what_is_no_number(bad, place):
+    data = [(0, 0, 0), (0, 1, 0), (2, 0, 0), (0, -1, 0)]
+    data[place] = (bad, *data[place][1:])
+    with pytest.raises(DomainError, match=r"finite numbers|three real numbers"):
+        short_helix(*data)
+
+
+def test_what_is_no_vector_or_tolerance():
+    data = [(0, 1, 0), (2, 0, 0), (0, -1, 0)]
+    for point in ((0, 0), (0, 0, 0, 0), 5):
+        with pytest.raises(DomainError, match="three real numbers"):
+            short_helix(point, *data)
+    for tolerance in (-1, mp.nan):
+        with pytest.raises(DomainError, match="tolerance"):
+            short_helix((0, 0, 0), *data, tolerance=tolerance)
+
+
 def test_tolerance_lets_rounded_data_in():
     p1 = (1.0, 1.0 + 1e-9, 0.3)
     with pytest.raises(DomainError, match="residual"), mp.workdps(30):

@@ -1,0 +1,280 @@
+"""Splines of bihelices: the result of approximating a space curve, to be evaluated, written, drawn."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from osculant.cas.errors import DomainError, OsculantError, UndecidedError
+from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
+from osculant.helix_pieces import SpacePiece, Vector
+
+if TYPE_CHECKING:
+    import os
+
+    from numpy.typing import ArrayLike
+
+    from osculant.helix_pieces import Floats
+    from osculant.spline import CurveText, Prediction
+
+#: points on each piece of a plot
+DRAWN_POINTS = 65
+
+
+@dataclass(frozen=True, repr=False)
+class SpaceSpline:
+    """A tangent-continuous chain of bihelices that stands for a space curve within a tolerance.
+
+    Attributes:
+        curve: the curve approximated.
+        primitive: "bihelix".
+        rule: how the junctions are chosen, "equioscillating" or "thesis".
+        metric: "hausdorff".
+        tolerance: the largest error allowed.
+        pieces: the pieces in order; each starts where the one before ends.
+        minimal: "proved" if every stretch between split points is one piece, else "unknown": the error of a
+            bihelix is not monotone in the length of the arc.
+        undecided: parameters of knots where it could not be decided whether theory demands a split.
+        splits: parameters inside the interval where theory, or the user, demanded a knot.
+        complexity: called at most once, when `predicted` or `predicted_pieces` is first asked for.
+
+    >>> from types import SimpleNamespace
+    >>> from osculant.helix_pieces import HelixArc
+    >>> line = HelixArc((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 1.0), 0.0, 0.0, 2.0)
+    >>> curve, pieces = SimpleNamespace(text="0, 0, t"), (SpacePiece((0.0, 2.0), (line,), 0.0),)
+    >>> spline = SpaceSpline(curve, "bihelix", "thesis", "hausdorff", 0.1, pieces, "proved")
+    >>> len(spline), spline.knots, spline.error, spline.error_kind
+    (1, [0.0, 2.0], 0.0, 'exact')
+    >>> spline.evaluate([0.5, 1.5]).tolist()
+    [[0.0, 0.0, 0.5], [0.0, 0.0, 1.5]]
+    """
+
+    curve: CurveText = field(compare=False)
+    primitive: str
+    rule: str
+    metric: str
+    tolerance: float
+    pieces: tuple[SpacePiece, ...]
+    minimal: Literal["proved", "unknown"]
+    undecided: tuple[float, ...] = ()
+    splits: tuple[float, ...] = ()
+    complexity: Callable[[], Prediction] | None = field(default=None, compare=False)
+
+    def __len__(self) -> int:
+        """Return the number of pieces."""
+        return len(self.pieces)
+
+    def __repr__(self) -> str:
+        return (
+            f"<SpaceSpline of {self.curve.text}: {self.primitive}, {len(self)} pieces, "
+            f"error {self.error:.6g}, tolerance {self.tolerance:.6g}>"
+        )
+
+    @property
+    def knots(self) -> list[float]:
+        """The parameters where pieces begin and end, one more than there are pieces."""
+        return [float(self.pieces[0].interval[0]), *(float(piece.interval[1]) for piece in self.pieces)]
+
+    @property
+    def errors(self) -> list[float]:
+        """The error of each piece."""
+        return [float(piece.error) for piece in self.pieces]
+
+    @property
+    def error(self) -> float:
+        """The largest error of a piece."""
+        return max(self.errors)
+
+    @property
+    def error_kind(self) -> Literal["estimate", "exact"]:
+        """The word "exact" if every piece is a part of the curve itself, else "estimate"."""
+        return "estimate" if self.error > 0 else "exact"
+
+    @property
+    def predicted(self) -> float | None:
+        """The number of pieces that theory predicts, as a real number; None if that is unknown."""
+        return None if self._prediction is None else self._prediction.predicted
+
+    @property
+    def predicted_pieces(self) -> int | None:
+        """The same in whole pieces, rounded up on each stretch; None if that is unknown."""
+        return None if self._prediction is None else self._prediction.predicted_pieces
+
+    @cached_property
+    def _prediction(self) -> Prediction | None:
+        if self.complexity is None:
+            return None
+        try:
+            return self.complexity()
+        except UndecidedError:  # an integral that did not settle is no reason to lose the spline
+            return None
+
+    def evaluate(self, t: ArrayLike) -> Floats:
+        """Return the spline's points at parameters of the curve.
+
+        On each helical arc the arc length is affine in the parameter. So the result is on the spline, but in
+        general not the foot of the curve's point at t; it may be farther from that than the error.
+
+        Args:
+            t: parameters from the first knot to the last, an array of shape (m,), or of any other.
+
+        Returns:
+            Points of shape (m, 3): t's shape with a last axis of length 3.
+
+        Raises:
+            DomainError: a parameter outside.
+        """
+        t = np.asarray(t, dtype=np.float64)
+        knots = np.array(self.knots)
+        outside = ~((t >= knots[0]) & (t <= knots[-1]))
+        if outside.any():
+            raise DomainError(
+                f"The spline has no point at t = {float(t[outside].flat[0])!r}; "
+                f"its parameters go from {knots[0].item()!r} to {knots[-1].item()!r}."
+            )
+        points = np.empty((*t.shape, 3))
+        place = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(self) - 1)
+        for index in np.unique(place):
+            here = place == index
+            points[here] = self.pieces[index].at_parameter(t[here])
+        return points
+
+    def sample(self, n: int) -> Floats:
+        """Return n >= 2 points on each piece, equally spaced on it, knots once; shape (N(n−1)+1, 3)."""
+        parts = [self.pieces[0].sample(n), *(piece.sample(n)[1:] for piece in self.pieces[1:])]
+        return np.concatenate(parts)
+
+    def bounding_box(self) -> tuple[Vector, Vector]:
+        """Return the lower and upper corners of the box around the pieces, from the extreme points."""
+        boxes = [piece.bounding_box() for piece in self.pieces]
+        x, y, z = np.min([low for low, _ in boxes], axis=0).tolist()
+        u, v, w = np.max([high for _, high in boxes], axis=0).tolist()
+        return (x, y, z), (u, v, w)
+
+    def max_tangent_jump(self) -> float:
+        """Return the largest angle in radians between the tangent lines of consecutive arcs where they meet.
+
+        Lines have no direction: a cusp, where the tangent is reversed, counts as continuous here, and is
+        listed by `cusps`.
+        """
+        arcs = [arc for piece in self.pieces for arc in piece.arcs]
+        pairs = ((a.tangent_at(a.length), np.array(b.tangent)) for a, b in pairwise(arcs))
+        return max(
+            (math.atan2(float(np.linalg.norm(np.cross(a, b))), abs(float(a @ b))) for a, b in pairs),
+            default=0.0,
+        )
+
+    @property
+    def cusps(self) -> list[float]:
+        """The knots where the direction of the tangent is reversed."""
+        pairs = pairwise(self.pieces)
+        return [float(b.interval[0]) for a, b in pairs if float(a.tangent(1.0) @ b.tangent(0.0)) < 0]
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the spline as plain dictionaries, lists and numbers.
+
+        Keys: "curve" (the formula), "primitive", "rule", "metric", "tolerance", "pieces" (their number),
+        "knots", "error", "error_kind", "errors", "predicted", "predicted_pieces" (null where unknown or not
+        finite), "minimal", "undecided", "splits" and "cusps" (parameters), "segments" (the pieces:
+        `SpacePiece.to_json`), "certificate" (null: none was asked for).
+        """
+        predicted = self.predicted
+        finite = predicted is not None and math.isfinite(predicted)
+        return {
+            "curve": self.curve.text,
+            "primitive": self.primitive,
+            "rule": self.rule,
+            "metric": self.metric,
+            "tolerance": float(self.tolerance),
+            "pieces": len(self),
+            "knots": self.knots,
+            "error": self.error,
+            "error_kind": self.error_kind,
+            "errors": self.errors,
+            "predicted": predicted if finite else None,
+            "predicted_pieces": self.predicted_pieces if finite else None,
+            "minimal": self.minimal,
+            "undecided": list(map(float, self.undecided)),
+            "splits": list(map(float, self.splits)),
+            "cusps": self.cusps,
+            "segments": [piece.to_json() for piece in self.pieces],
+            "certificate": None,
+        }
+
+    def write(self, path: str | os.PathLike[str], *, command: str | None = None) -> None:
+        """Write the spline to a file, whole or not at all; its suffix says how.
+
+        Args:
+            path: ".json" for what `to_json` returns, ".nc", ".gcode" or ".ngc" for G-code (`osculant.gcode`),
+                ".dxf" for a polyline of chords (`osculant.dxf`).
+            command: the command line that made the spline, recorded in the file.
+
+        Raises:
+            OsculantError: another suffix, or a file that cannot be written.
+        """
+        suffix = Path(path).suffix.lower()
+        if suffix in GCODE_SUFFIXES:
+            from osculant.gcode import gcode
+
+            return write_whole(path, gcode(self, command=command))
+        if suffix == ".dxf":
+            from osculant.dxf import dxf
+
+            return write_whole(path, dxf(self, command=command))
+        if suffix != ".json":
+            raise OsculantError(
+                f"Cannot write {Path(path)}: a spline in space is written as "
+                f"{listed([s for s in SUFFIXES if s != '.svg'])}; plot() makes pictures of other kinds."
+            )
+        data = self.to_json() | ({} if command is None else {"command": command})
+        return write_whole(path, json.dumps(data, indent=1, allow_nan=False) + "\n")
+
+    def plot(self, path: str | os.PathLike[str] | None = None, axes: Any = None) -> Any:
+        """Draw the pieces in alternating colours with the knots marked, by means of matplotlib.
+
+        Args:
+            path: a file to draw to, of any kind that matplotlib knows by its suffix.
+            axes: matplotlib axes to draw in, of the projection "3d"; new ones by default.
+
+        Returns:
+            The axes.
+
+        Raises:
+            OsculantError: matplotlib is not installed, or does not know the suffix, or cannot write the file.
+        """
+        try:
+            from matplotlib.figure import Figure
+        except ImportError as error:
+            raise OsculantError(
+                "Drawing needs matplotlib, which is not installed; `pip install osculant[plot]` adds it."
+            ) from error
+        if axes is None and path is None:
+            import matplotlib.pyplot as plt
+
+            axes = plt.figure().add_subplot(projection="3d")
+        elif axes is None:
+            axes = Figure().add_subplot(projection="3d")  # no window, no global state
+        for i, piece in enumerate(self.pieces):
+            x, y, z = piece.sample(DRAWN_POINTS).T
+            axes.plot(x, y, z, color=("tab:blue", "tab:orange")[i % 2], linewidth=1.5)
+        knots = np.array([self.pieces[0].start, *(piece.end for piece in self.pieces)])
+        axes.plot(*knots.T, "k.", markersize=4)
+        axes.set_aspect("equal", adjustable="datalim")
+        axes.set_title(f"{self.curve.text}\n{len(self)} pieces ({self.primitive}), error {self.error:.3g}")
+        if path is not None:
+            picture = io.BytesIO()
+            try:
+                axes.figure.savefig(picture, format=Path(path).suffix[1:].lower() or "png")
+            except ValueError as error:
+                raise OsculantError(f"Cannot draw to {Path(path)}: {error}.") from error
+            write_whole(path, picture.getvalue())
+        return axes

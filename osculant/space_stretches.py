@@ -1,0 +1,193 @@
+"""Dividing a space curve's interval where a spline of bihelices shall have a knot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, Literal
+
+from osculant.cas.errors import DomainError, UndecidedError
+from osculant.cas.text import to_text
+from osculant.formula_curve import as_constant
+
+if TYPE_CHECKING:
+    from osculant.cas.form_zeros import SpecialPoint
+    from osculant.space import SpaceCurve
+
+#: derivatives tried for the limit tangent at a cusp
+CUSP_ORDERS = 9
+#: two knots are farther apart than this part of the interval
+APART = 2.0**-50
+
+Vector = tuple[float, float, float]
+#: "level" is a curve of constant curvature and varying torsion: every point would be a vertex
+Shape = Literal["generic", "level", "segment", "exact"]
+
+
+@dataclass(frozen=True)
+class SpaceFrame:
+    """A point of the curve and its unit tangent, at a cusp the limit tangent from the stretch's side."""
+
+    point: Vector
+    tangent: Vector
+
+
+@dataclass(frozen=True)
+class SpaceStretch:
+    """A part of the interval without special points inside.
+
+    ``low``, ``high`` are balls, ``a``, ``b`` their nearest doubles; ``shape`` says whether the curve is a
+    segment there, a circle or helix itself ("exact"), or has constant curvature ("level").
+    """
+
+    low: Any
+    high: Any
+    a: float
+    b: float
+    start: SpaceFrame
+    end: SpaceFrame
+    shape: Shape
+
+
+@dataclass(frozen=True)
+class SpaceDivision:
+    """The stretches of a curve, the inner split points and those of them that were not decided.
+
+    ``proved`` is False if the curve seems to be a segment, a circle or a helix, to hundreds of digits, but no
+    symbolic proof was found.
+    """
+
+    stretches: tuple[SpaceStretch, ...]
+    splits: tuple[float, ...]
+    undecided: tuple[float, ...]
+    proved: bool
+
+
+def check_finite(curve: SpaceCurve) -> None:
+    """Raises DomainError, naming the parameter value, where the curve is undefined or not smooth.
+
+    >>> from osculant.space import SpaceCurve
+    >>> check_finite(SpaceCurve("t, t^2, 1/t", -1, 1))
+    Traceback (most recent call last):
+    ...
+    osculant.cas.errors.DomainError: The curve is undefined or infinite at t = 0 (a division by zero): take
+    an interval without it.
+    """
+    from osculant.cas.space_special import require_finite
+
+    require_finite(curve.balls, *curve.ends)
+
+
+def divide(curve: SpaceCurve, split_at: Sequence[Any] = ()) -> SpaceDivision:
+    """Divide the curve at its cusps, where κ = 0 and at its vertices (κ′ = 0), also at the user's points.
+
+    The curve has to be finite: see `check_finite`. Raises DomainError for a split point outside the
+    interval, or if the curve is a single point.
+
+    >>> from osculant.space import SpaceCurve
+    >>> divide(SpaceCurve("2*cos(t), sin(t), t/5", "1", "4")).splits
+    (1.5707963267948966, 3.141592653589793)
+    """
+    from osculant.cas.balls import PRECISION, constant, precision
+    from osculant.cas.form_zeros import SpecialPoint
+    from osculant.cas.space_special import special_points, vanishes
+
+    shape, proved = _shape(curve)
+    names = ["cusp"]
+    names += ["inflection"] if shape != "segment" else []
+    names += ["vertex"] if shape == "generic" else []
+    with precision(PRECISION):
+        low, high = (constant(end) for end in curve.ends)
+        planar = (
+            shape == "generic" and vanishes(curve.balls, "planar", low, high) and curve.exact.planar is True
+        )
+        found = special_points(curve.balls, *curve.ends, names, planar)
+        for asked in split_at:
+            at = constant(as_constant(asked, "--split-at"))
+            if not (at > low and at < high):
+                raise DomainError(
+                    f"The split point {asked} is not inside the interval from {to_text(curve.ends[0])} "
+                    f"to {to_text(curve.ends[1])}: leave it out or choose another."
+                )
+            found.append(SpecialPoint(at, frozenset(["asked"])))
+        points = _inner(found, low, high)
+        cuts = [_end(found, low), *points, _end(found, high)]
+        stretches = tuple(_stretch(curve, before, after, shape) for before, after in pairwise(cuts))
+    return SpaceDivision(
+        stretches,
+        tuple(_float(point.at) for point in points),
+        tuple(_float(point.at) for point in found if not point.decided),
+        proved,
+    )
+
+
+def _shape(curve: SpaceCurve) -> tuple[Shape, bool]:
+    """What the curve is as a whole, and whether that is certain."""
+    from osculant.cas.balls import PRECISION, constant, precision
+    from osculant.cas.space_special import vanishes
+
+    with precision(PRECISION):
+        low, high = (constant(end) for end in curve.ends)
+        if vanishes(curve.balls, "cusp", low, high):
+            raise DomainError(f"The curve {curve.text} is a single point: give a formula that moves.")
+        if vanishes(curve.balls, "inflection", low, high):
+            return "segment", curve.exact.straight is True
+        if not vanishes(curve.balls, "vertex", low, high):
+            return "generic", True
+        if not vanishes(curve.balls, "slope", low, high):
+            return "level", True
+    return "exact", curve.exact.circular_helix is True
+
+
+def _float(at: Any) -> float:
+    return 0.0 if at.contains(0) else float(at.mid())
+
+
+def _inner(found: list[SpecialPoint], low: Any, high: Any) -> list[SpecialPoint]:
+    """The split points strictly inside, one for each double."""
+    a, b = _float(low), _float(high)
+    inside = {_float(point.at): point for point in found if a < _float(point.at) < b}
+    near = (high - low) * APART
+    return [point for _, point in sorted(inside.items()) if point.at - low > near and high - point.at > near]
+
+
+def _end(found: list[SpecialPoint], at: Any) -> SpecialPoint:
+    """An end of the interval with what was found there."""
+    from osculant.cas.form_zeros import SpecialPoint
+
+    kinds = [point.kinds for point in found if _float(point.at) == _float(at)]
+    return SpecialPoint(at, frozenset().union(*kinds))
+
+
+def _stretch(curve: SpaceCurve, before: SpecialPoint, after: SpecialPoint, shape: Shape) -> SpaceStretch:
+    return SpaceStretch(
+        before.at,
+        after.at,
+        _float(before.at),
+        _float(after.at),
+        _frame(curve, before, 1),
+        _frame(curve, after, -1),
+        shape,
+    )
+
+
+def _frame(curve: SpaceCurve, point: SpecialPoint, side: int) -> SpaceFrame:
+    """The frame at a split point, seen from the stretch after (side 1) or before it (side −1)."""
+    from flint import arb
+
+    at = point.at.mid() if not point.decided else point.at
+    singular = "cusp" in point.kinds
+    rows = curve.balls.coefficients(arb(at), CUSP_ORDERS if singular else 1)
+    for order in range(2 if singular else 1, len(rows[0])):
+        parts = [row[order] for row in rows]
+        length = sum((part * part for part in parts), arb(0)).sqrt()
+        if length > 0:
+            sign = side ** (order - 1)  # α̇ ~ (t − c)^(order − 1)
+            x, y, z = (_float(row[0]) for row in rows)
+            tx, ty, tz = (_float(sign * part / length) for part in parts)
+            return SpaceFrame((x, y, z), (tx, ty, tz))
+    raise UndecidedError(
+        f"The curve has no tangent at t = {_float(point.at):.10g} that {CUSP_ORDERS} derivatives could tell: "
+        "choose an interval without this point."
+    )
