@@ -22,9 +22,13 @@ import osculant as osc
 from osculant.codegen.jets import compile_jet
 from osculant.extent import extent
 from osculant.fitting import Fitting
-from osculant.kernels import greedy
+from osculant.kernels import bihelix_spline, greedy
 from osculant.kernels.curve import JET_SIZE, sample_many
 from osculant.primitives import PRIMITIVES
+from osculant.space import SpaceCurve
+from osculant.space_fitting import SpaceFitting
+from osculant.space_fitting import extent as extent_in_space
+from osculant.space_stretches import divide as divide_in_space
 from osculant.stretches import divide
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
@@ -91,6 +95,31 @@ def kernel_rows() -> list[tuple[str, str, str]]:
     return rows
 
 
+def bihelix_row() -> tuple[str, str, str]:
+    """Time per bihelix of the conical spiral."""
+    curve = SpaceCurve("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
+    division = divide_in_space(curve)
+    fitting = SpaceFitting(curve, "equioscillating", 1e-6, division, extent_in_space(curve))
+    (stretch,) = division.stretches
+    table = np.empty((4096, bihelix_spline.COLUMNS))
+    ends = [(*frame.point, *frame.tangent) for frame in (stretch.start, stretch.end)]
+    address, place, window = curve.compiled.address, fitting.place, fitting.window
+
+    def run() -> int:
+        found = bihelix_spline.spline(
+            fitting.rule, address, place, stretch.a, ends[0], stretch.b, ends[1], *window, 0.0, table
+        )
+        return int(found[0])
+
+    pieces = run()
+    seconds = median_seconds(run, REPEATS // 4)
+    return (
+        f"conical spiral, 1e-06, {pieces} × bihelix: per piece",
+        f"{1e6 * seconds / pieces:.2f} µs",
+        "50 µs",
+    )
+
+
 def jet_rows() -> list[tuple[str, str, str]]:
     """The jet compiler on the spiral: compile time, and time per evaluation from a kernel."""
     curve = osc.curve(*SPIRAL)
@@ -136,7 +165,7 @@ def fresh_process_row() -> tuple[str, str, str]:
 def main() -> None:
     """Print the table."""
     table = Table("what", "measured", "wanted", title="osculant, one thread")
-    for row in (*kernel_rows(), *jet_rows(), *new_formula_rows(), fresh_process_row()):
+    for row in (*kernel_rows(), bihelix_row(), *jet_rows(), *new_formula_rows(), fresh_process_row()):
         table.add_row(*row)
     Console(width=130).print(table)
 

@@ -7,16 +7,16 @@ import json
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from osculant.cas.errors import DomainError, OsculantError, UndecidedError
+from osculant.cas.errors import DomainError, OsculantError
 from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
 from osculant.helix_pieces import SpacePiece, Vector
+from osculant.spline_facts import CurveText, Prediction, SplineFacts
 
 if TYPE_CHECKING:
     import os
@@ -24,14 +24,13 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from osculant.helix_pieces import Floats
-    from osculant.spline import CurveText, Prediction
 
 #: points on each piece of a plot
 DRAWN_POINTS = 65
 
 
 @dataclass(frozen=True, repr=False)
-class SpaceSpline:
+class SpaceSpline(SplineFacts):
     """A tangent-continuous chain of bihelices that stands for a space curve within a tolerance.
 
     Attributes:
@@ -68,55 +67,6 @@ class SpaceSpline:
     undecided: tuple[float, ...] = ()
     splits: tuple[float, ...] = ()
     complexity: Callable[[], Prediction] | None = field(default=None, compare=False)
-
-    def __len__(self) -> int:
-        """Return the number of pieces."""
-        return len(self.pieces)
-
-    def __repr__(self) -> str:
-        return (
-            f"<SpaceSpline of {self.curve.text}: {self.primitive}, {len(self)} pieces, "
-            f"error {self.error:.6g}, tolerance {self.tolerance:.6g}>"
-        )
-
-    @property
-    def knots(self) -> list[float]:
-        """The parameters where pieces begin and end, one more than there are pieces."""
-        return [float(self.pieces[0].interval[0]), *(float(piece.interval[1]) for piece in self.pieces)]
-
-    @property
-    def errors(self) -> list[float]:
-        """The error of each piece."""
-        return [float(piece.error) for piece in self.pieces]
-
-    @property
-    def error(self) -> float:
-        """The largest error of a piece."""
-        return max(self.errors)
-
-    @property
-    def error_kind(self) -> Literal["estimate", "exact"]:
-        """The word "exact" if every piece is a part of the curve itself, else "estimate"."""
-        return "estimate" if self.error > 0 else "exact"
-
-    @property
-    def predicted(self) -> float | None:
-        """The number of pieces that theory predicts, as a real number; None if that is unknown."""
-        return None if self._prediction is None else self._prediction.predicted
-
-    @property
-    def predicted_pieces(self) -> int | None:
-        """The same in whole pieces, rounded up on each stretch; None if that is unknown."""
-        return None if self._prediction is None else self._prediction.predicted_pieces
-
-    @cached_property
-    def _prediction(self) -> Prediction | None:
-        if self.complexity is None:
-            return None
-        try:
-            return self.complexity()
-        except UndecidedError:  # an integral that did not settle is no reason to lose the spline
-            return None
 
     def evaluate(self, t: ArrayLike) -> Floats:
         """Return the spline's points at parameters of the curve.

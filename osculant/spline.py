@@ -9,15 +9,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from osculant.biarcs import Biarc
-from osculant.cas.errors import DomainError, OsculantError, UndecidedError
+from osculant.cas.errors import DomainError, OsculantError
 from osculant.chains import Chain
 from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
 from osculant.pieces import Kind, Piece
+from osculant.spline_facts import CurveText, Prediction, SplineFacts
 
 if TYPE_CHECKING:
     import os
@@ -29,28 +30,8 @@ if TYPE_CHECKING:
 __all__ = ["Biarc", "Kind", "Piece", "Spline"]
 
 
-class CurveText(Protocol):
-    """A curve as far as a spline needs it: something with a formula."""
-
-    @property
-    def text(self) -> str:
-        """The formula."""
-
-
-class Prediction(Protocol):
-    """What theory says about the number of pieces."""
-
-    @property
-    def predicted(self) -> float:
-        """The real number of the asymptotic formula."""
-
-    @property
-    def predicted_pieces(self) -> int:
-        """The sum of its ceilings over the stretches."""
-
-
 @dataclass(frozen=True, repr=False)
-class Spline:
+class Spline(SplineFacts):
     """A tangent-continuous chain of pieces that stands for a curve within a tolerance.
 
     Attributes:
@@ -86,55 +67,6 @@ class Spline:
     undecided: tuple[float, ...] = ()
     splits: tuple[float, ...] = ()
     complexity: Callable[[], Prediction] | None = field(default=None, compare=False)
-
-    def __len__(self) -> int:
-        """Return the number of pieces."""
-        return len(self.pieces)
-
-    def __repr__(self) -> str:
-        return (
-            f"<Spline of {self.curve.text}: {self.primitive}, {len(self)} pieces, "
-            f"error {self.error:.6g}, tolerance {self.tolerance:.6g}>"
-        )
-
-    @property
-    def knots(self) -> list[float]:
-        """The parameters where pieces begin and end, one more than there are pieces."""
-        return [float(self.pieces[0].interval[0]), *(float(piece.interval[1]) for piece in self.pieces)]
-
-    @property
-    def errors(self) -> list[float]:
-        """The error of each piece."""
-        return [float(piece.error) for piece in self.pieces]
-
-    @property
-    def error(self) -> float:
-        """The largest error of a piece."""
-        return max(self.errors)
-
-    @property
-    def error_kind(self) -> Literal["estimate", "exact"]:
-        """The word "exact" if every piece is a part of the curve itself, else "estimate"."""
-        return "estimate" if self.error > 0 else "exact"
-
-    @property
-    def predicted(self) -> float | None:
-        """The number of pieces that theory predicts, as a real number; None if that is unknown."""
-        return None if self._prediction is None else self._prediction.predicted
-
-    @property
-    def predicted_pieces(self) -> int | None:
-        """The same in whole pieces, rounded up on each stretch; None if that is unknown."""
-        return None if self._prediction is None else self._prediction.predicted_pieces
-
-    @cached_property
-    def _prediction(self) -> Prediction | None:
-        if self.complexity is None:
-            return None
-        try:
-            return self.complexity()
-        except UndecidedError:  # an integral that did not settle is no reason to lose the spline
-            return None
 
     @cached_property
     def _chain(self) -> Chain:

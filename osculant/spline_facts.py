@@ -1,0 +1,100 @@
+"""What splines in the plane and in space have in common: knots, errors, predictions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Literal, Protocol
+
+from osculant.cas.errors import UndecidedError
+
+
+class PieceFacts(Protocol):
+    """A piece as far as a spline's facts need it."""
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """The interval of the curve's parameter."""
+
+    @property
+    def error(self) -> float:
+        """Its distance from the curve."""
+
+
+class CurveText(Protocol):
+    """A curve as far as a spline needs it: something with a formula."""
+
+    @property
+    def text(self) -> str:
+        """The formula."""
+
+
+class Prediction(Protocol):
+    """What theory says about the number of pieces."""
+
+    @property
+    def predicted(self) -> float:
+        """The real number of the asymptotic formula."""
+
+    @property
+    def predicted_pieces(self) -> int:
+        """The sum of its ceilings over the stretches."""
+
+
+class SplineFacts:
+    """The facts of a chain of pieces; `osculant.spline` and `osculant.space_spline` add the geometry."""
+
+    curve: CurveText
+    primitive: str
+    tolerance: float
+    pieces: Sequence[PieceFacts]
+    complexity: Callable[[], Prediction] | None
+
+    def __len__(self) -> int:
+        """Return the number of pieces."""
+        return len(self.pieces)
+
+    def __repr__(self) -> str:
+        return (
+            f"<{type(self).__name__} of {self.curve.text}: {self.primitive}, {len(self)} pieces, "
+            f"error {self.error:.6g}, tolerance {self.tolerance:.6g}>"
+        )
+
+    @property
+    def knots(self) -> list[float]:
+        """The parameters where pieces begin and end, one more than there are pieces."""
+        return [float(self.pieces[0].interval[0]), *(float(piece.interval[1]) for piece in self.pieces)]
+
+    @property
+    def errors(self) -> list[float]:
+        """The error of each piece."""
+        return [float(piece.error) for piece in self.pieces]
+
+    @property
+    def error(self) -> float:
+        """The largest error of a piece."""
+        return max(self.errors)
+
+    @property
+    def error_kind(self) -> Literal["estimate", "exact"]:
+        """The word "exact" if every piece is a part of the curve itself, else "estimate"."""
+        return "estimate" if self.error > 0 else "exact"
+
+    @property
+    def predicted(self) -> float | None:
+        """The number of pieces that theory predicts, as a real number; None if that is unknown."""
+        return None if self._prediction is None else self._prediction.predicted
+
+    @property
+    def predicted_pieces(self) -> int | None:
+        """The same in whole pieces, rounded up on each stretch; None if that is unknown."""
+        return None if self._prediction is None else self._prediction.predicted_pieces
+
+    @cached_property
+    def _prediction(self) -> Prediction | None:
+        if self.complexity is None:
+            return None
+        try:
+            return self.complexity()
+        except UndecidedError:  # an integral that did not settle is no reason to lose the spline
+            return None
