@@ -10,6 +10,7 @@ that takes p_L and T_L to p_R and T_R. Nothing but + − * / is used, so rationa
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -97,6 +98,42 @@ class Cylinder:
         """The screw applied to a point."""
         moved = add(self.axis.point, self.turn(subtract(p, self.axis.point)))
         return add(moved, scale(self.advance, self.axis.direction))
+
+    def mesh(
+        self, through: Vector3, low: float, high: float, rows: int = 2, columns: int = 49
+    ) -> list[list[Vector3]]:
+        """A grid of points in floats, to draw the cylinder as a surface or, by columns, its junction lines.
+
+        Args:
+            through: a point of the cylinder, on the first and the last line.
+            low: the grid begins at this distance along the axis from that point …
+            high: … and ends at this one.
+            rows: number of points on each line, at least 2.
+            columns: number of lines around the axis, at least 2.
+
+        >>> tube = Cylinder(Line((0, 0, 0), (0, 0, 2)), 1, 1, 0, 0)
+        >>> _, top = tube.mesh((1, 0, 0), 0, 3, 2, 3)
+        >>> [tuple(round(c, 9) + 0 for c in p) for p in top]
+        [(1.0, 0.0, 3.0), (-1.0, 0.0, 3.0), (1.0, 0.0, 3.0)]
+        """
+        m = [float(c) for c in self.axis.direction]
+        unit = [c / math.hypot(*m) for c in m]
+        foot = [float(c) for c in self.axis.nearest(through)]
+        out = [float(c) - f for c, f in zip(through, foot)]
+        side = [float(c) for c in cross(unit, out)]
+        grid: list[list[Vector3]] = []
+        for i in range(rows):
+            height = low + (high - low) * i / (rows - 1)
+            row: list[Vector3] = []
+            for j in range(columns):
+                angle = 2 * math.pi * j / (columns - 1)
+                x, y, z = (
+                    f + height * e + math.cos(angle) * p + math.sin(angle) * q
+                    for f, e, p, q in zip(foot, unit, out, side)
+                )
+                row.append((x, y, z))
+            grid.append(row)
+        return grid
 
 
 def junction_plane(end: End, tangent: Vector3) -> Plane:
