@@ -178,14 +178,13 @@ def invariants(
         print_space_invariants,
         print_space_values,
         space_invariants_data,
-        space_values_data,
     )
 
     wanted = DIGITS if digits is None else whole_number(digits, "--digits")
 
     curve = osculant.curve(formula, low, high)
     if isinstance(curve, SpaceCurve):
-        data = space_invariants_data(curve) if at is None else space_values_data(curve, at, wanted)
+        data = space_invariants_data(curve) if at is None else values_data(curve, at, wanted)
         show = print_space_invariants if at is None else print_space_values
     else:
         data = invariants_data(curve) if at is None else values_data(curve, at, wanted)

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from osculant.asymptotics import Complexity
     from osculant.formula_curve import FormulaCurve
     from osculant.plane import PlaneCurve
+    from osculant.space import SpaceCurve
     from osculant.spline import Spline
     from osculant.tables import ComputedTable
 
@@ -149,7 +150,7 @@ def invariants_data(curve: PlaneCurve) -> dict[str, Any]:
     }
 
 
-def values_data(curve: PlaneCurve, at: str, digits: int) -> dict[str, Any]:
+def values_data(curve: PlaneCurve | SpaceCurve, at: str, digits: int) -> dict[str, Any]:
     """The invariants at a parameter as plain data; numbers are text with all their digits."""
     import mpmath
 

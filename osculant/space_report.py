@@ -39,29 +39,6 @@ def space_invariants_data(curve: SpaceCurve) -> dict[str, Any]:
     }
 
 
-def space_values_data(curve: SpaceCurve, at: str, digits: int) -> dict[str, Any]:
-    """The invariants at a parameter as plain data; numbers are text with all their digits.
-
-    >>> from osculant.space import SpaceCurve
-    >>> space_values_data(SpaceCurve("t, t^2, t^3"), "1", 5)["values"]["torsion"]
-    '0.15789'
-    """
-    import mpmath
-
-    def written(value: Any) -> Any:
-        if value is None:
-            return None
-        return [written(part) for part in value] if isinstance(value, tuple) else mpmath.nstr(value, digits)
-
-    values = curve.at(at, digits)
-    return {
-        "curve": curve.text,
-        "at": at,
-        "digits": digits,
-        "values": {name: written(value) for name, value in values.items()},
-    }
-
-
 def print_space_invariants(data: dict[str, Any], latex: bool) -> None:
     """Print what `space_invariants_data` returns, each invariant an equation on its own line."""
     if latex:
@@ -77,7 +54,7 @@ def print_space_invariants(data: dict[str, Any], latex: bool) -> None:
 
 
 def print_space_values(data: dict[str, Any], latex: bool) -> None:
-    """Print what `space_values_data` returns."""
+    """Print what `report.values_data` returns."""
     rows = []
     for invariant in _all_invariants():
         if invariant.name in data["values"]:

@@ -137,28 +137,7 @@ class SpaceSpline(SplineFacts):
         finite), "minimal", "undecided", "splits" and "cusps" (parameters), "segments" (the pieces:
         `SpacePiece.to_json`), "certificate" (null: none was asked for).
         """
-        predicted = self.predicted
-        finite = predicted is not None and math.isfinite(predicted)
-        return {
-            "curve": self.curve.text,
-            "primitive": self.primitive,
-            "rule": self.rule,
-            "metric": self.metric,
-            "tolerance": float(self.tolerance),
-            "pieces": len(self),
-            "knots": self.knots,
-            "error": self.error,
-            "error_kind": self.error_kind,
-            "errors": self.errors,
-            "predicted": predicted if finite else None,
-            "predicted_pieces": self.predicted_pieces if finite else None,
-            "minimal": self.minimal,
-            "undecided": list(map(float, self.undecided)),
-            "splits": list(map(float, self.splits)),
-            "cusps": self.cusps,
-            "segments": [piece.to_json() for piece in self.pieces],
-            "certificate": None,
-        }
+        return self._json(self.cusps, {"rule": self.rule})
 
     def write(self, path: str | os.PathLike[str], *, command: str | None = None) -> None:
         """Write the spline to a file, whole or not at all; its suffix says how.

@@ -8,8 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.text import to_text
-from osculant.formula_curve import as_constant
+from osculant.split_points import as_float, cut
 
 if TYPE_CHECKING:
     from osculant.cas.form_zeros import SpecialPoint
@@ -17,8 +16,6 @@ if TYPE_CHECKING:
 
 #: derivatives tried for the limit tangent at a cusp
 CUSP_ORDERS = 9
-#: two knots are farther apart than this part of the interval
-APART = 2.0**-50
 
 Vector = tuple[float, float, float]
 #: "level" is a curve of constant curvature and varying torsion: every point would be a vertex
@@ -90,7 +87,6 @@ def divide(curve: SpaceCurve, split_at: Sequence[Any] = ()) -> SpaceDivision:
     (1.5707963267948966, 3.141592653589793)
     """
     from osculant.cas.balls import PRECISION, constant, precision
-    from osculant.cas.form_zeros import SpecialPoint
     from osculant.cas.space_special import special_points, vanishes
 
     shape, proved = _shape(curve)
@@ -103,21 +99,12 @@ def divide(curve: SpaceCurve, split_at: Sequence[Any] = ()) -> SpaceDivision:
             shape == "generic" and vanishes(curve.balls, "planar", low, high) and curve.exact.planar is True
         )
         found = special_points(curve.balls, *curve.ends, names, planar)
-        for asked in split_at:
-            at = constant(as_constant(asked, "--split-at"))
-            if not (at > low and at < high):
-                raise DomainError(
-                    f"The split point {asked} is not inside the interval from {to_text(curve.ends[0])} "
-                    f"to {to_text(curve.ends[1])}: leave it out or choose another."
-                )
-            found.append(SpecialPoint(at, frozenset(["asked"])))
-        points = _inner(found, low, high)
-        cuts = [_end(found, low), *points, _end(found, high)]
+        points, cuts = cut(curve, found, split_at, low, high)
         stretches = tuple(_stretch(curve, before, after, shape) for before, after in pairwise(cuts))
     return SpaceDivision(
         stretches,
-        tuple(_float(point.at) for point in points),
-        tuple(_float(point.at) for point in found if not point.decided),
+        tuple(as_float(point.at) for point in points),
+        tuple(as_float(point.at) for point in found if not point.decided),
         proved,
     )
 
@@ -140,32 +127,12 @@ def _shape(curve: SpaceCurve) -> tuple[Shape, bool]:
     return "exact", curve.exact.circular_helix is True
 
 
-def _float(at: Any) -> float:
-    return 0.0 if at.contains(0) else float(at.mid())
-
-
-def _inner(found: list[SpecialPoint], low: Any, high: Any) -> list[SpecialPoint]:
-    """The split points strictly inside, one for each double."""
-    a, b = _float(low), _float(high)
-    inside = {_float(point.at): point for point in found if a < _float(point.at) < b}
-    near = (high - low) * APART
-    return [point for _, point in sorted(inside.items()) if point.at - low > near and high - point.at > near]
-
-
-def _end(found: list[SpecialPoint], at: Any) -> SpecialPoint:
-    """An end of the interval with what was found there."""
-    from osculant.cas.form_zeros import SpecialPoint
-
-    kinds = [point.kinds for point in found if _float(point.at) == _float(at)]
-    return SpecialPoint(at, frozenset().union(*kinds))
-
-
 def _stretch(curve: SpaceCurve, before: SpecialPoint, after: SpecialPoint, shape: Shape) -> SpaceStretch:
     return SpaceStretch(
         before.at,
         after.at,
-        _float(before.at),
-        _float(after.at),
+        as_float(before.at),
+        as_float(after.at),
         _frame(curve, before, 1),
         _frame(curve, after, -1),
         shape,
@@ -184,10 +151,10 @@ def _frame(curve: SpaceCurve, point: SpecialPoint, side: int) -> SpaceFrame:
         length = sum((part * part for part in parts), arb(0)).sqrt()
         if length > 0:
             sign = side ** (order - 1)  # α̇ ~ (t − c)^(order − 1)
-            x, y, z = (_float(row[0]) for row in rows)
-            tx, ty, tz = (_float(sign * part / length) for part in parts)
+            x, y, z = (as_float(row[0]) for row in rows)
+            tx, ty, tz = (as_float(sign * part / length) for part in parts)
             return SpaceFrame((x, y, z), (tx, ty, tz))
     raise UndecidedError(
-        f"The curve has no tangent at t = {_float(point.at):.10g} that {CUSP_ORDERS} derivatives could tell: "
-        "choose an interval without this point."
+        f"The curve has no tangent at t = {as_float(point.at):.10g} that {CUSP_ORDERS} derivatives could "
+        "tell: choose an interval without this point."
     )

@@ -143,27 +143,7 @@ class Spline(SplineFacts):
         "certificate" (null: none was asked
         for); further "curve" (the formula), "splits" and "cusps" (parameters).
         """
-        predicted = self.predicted
-        finite = predicted is not None and math.isfinite(predicted)
-        return {
-            "curve": self.curve.text,
-            "primitive": self.primitive,
-            "metric": self.metric,
-            "tolerance": float(self.tolerance),
-            "pieces": len(self),
-            "knots": self.knots,
-            "error": self.error,
-            "error_kind": self.error_kind,
-            "errors": self.errors,
-            "predicted": predicted if finite else None,
-            "predicted_pieces": self.predicted_pieces if finite else None,
-            "minimal": self.minimal,
-            "undecided": list(map(float, self.undecided)),
-            "splits": list(map(float, self.splits)),
-            "cusps": self.cusps,
-            "segments": [piece.to_json() for piece in self.pieces],
-            "certificate": None,
-        }
+        return self._json(self.cusps, {})
 
     def write(
         self, path: str | os.PathLike[str], *, reserve: float | None = None, command: str | None = None

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Literal, Protocol
+from typing import Any, Literal, Protocol
 
 from osculant.cas.errors import UndecidedError
 
@@ -19,6 +20,9 @@ class PieceFacts(Protocol):
     @property
     def error(self) -> float:
         """Its distance from the curve."""
+
+    def to_json(self) -> dict[str, Any]:
+        """The piece as plain data."""
 
 
 class CurveText(Protocol):
@@ -46,7 +50,11 @@ class SplineFacts:
 
     curve: CurveText
     primitive: str
+    metric: str
     tolerance: float
+    minimal: str
+    undecided: tuple[float, ...]
+    splits: tuple[float, ...]
     pieces: Sequence[PieceFacts]
     complexity: Callable[[], Prediction] | None
 
@@ -98,3 +106,28 @@ class SplineFacts:
             return self.complexity()
         except UndecidedError:  # an integral that did not settle is no reason to lose the spline
             return None
+
+    def _json(self, cusps: list[float], own: dict[str, Any]) -> dict[str, Any]:
+        """Plain data of the spline; ``own`` keys come after the primitive."""
+        predicted = self.predicted
+        finite = predicted is not None and math.isfinite(predicted)
+        return {
+            "curve": self.curve.text,
+            "primitive": self.primitive,
+            **own,
+            "metric": self.metric,
+            "tolerance": float(self.tolerance),
+            "pieces": len(self),
+            "knots": self.knots,
+            "error": self.error,
+            "error_kind": self.error_kind,
+            "errors": self.errors,
+            "predicted": predicted if finite else None,
+            "predicted_pieces": self.predicted_pieces if finite else None,
+            "minimal": self.minimal,
+            "undecided": list(map(float, self.undecided)),
+            "splits": list(map(float, self.splits)),
+            "cusps": cusps,
+            "segments": [piece.to_json() for piece in self.pieces],
+            "certificate": None,
+        }

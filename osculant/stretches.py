@@ -8,12 +8,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.text import to_text
-from osculant.plane import as_constant
 from osculant.primitives import PRIMITIVES
+from osculant.split_points import as_float, cut
 
 if TYPE_CHECKING:
-    from osculant.cas.special import SpecialPoint
+    from osculant.cas.form_zeros import SpecialPoint
     from osculant.plane import PlaneCurve
 
 #: derivatives tried for the limit tangent at a cusp
@@ -88,7 +87,7 @@ def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> D
     (1.5707963267948966, 3.141592653589793)
     """
     from osculant.cas.balls import PRECISION, constant, precision
-    from osculant.cas.special import SpecialPoint, special_points
+    from osculant.cas.special import special_points
 
     kind, proved = _kind(curve, primitive)
     names = ["cusp"]
@@ -97,21 +96,12 @@ def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> D
     with precision(PRECISION):
         low, high = (constant(end) for end in curve.ends)
         found = special_points(curve.balls, *curve.ends, names)
-        for asked in split_at:
-            at = constant(as_constant(asked, "--split-at"))
-            if not (at > low and at < high):
-                raise DomainError(
-                    f"The split point {asked} is not inside the interval from {to_text(curve.ends[0])} "
-                    f"to {to_text(curve.ends[1])}: leave it out or choose another."
-                )
-            found.append(SpecialPoint(at, frozenset(["asked"])))
-        points = _inner(found, low, high)
-        cuts = [_end(found, low), *points, _end(found, high)]
+        points, cuts = cut(curve, found, split_at, low, high)
         stretches = tuple(_stretch(curve, before, after, kind) for before, after in pairwise(cuts))
     return Division(
         stretches,
-        tuple(_float(point.at) for point in points),
-        tuple(_float(point.at) for point in found if not point.decided),
+        tuple(as_float(point.at) for point in points),
+        tuple(as_float(point.at) for point in found if not point.decided),
         proved,
     )
 
@@ -132,26 +122,6 @@ def _kind(curve: PlaneCurve, primitive: str) -> tuple[Literal["generic", "segmen
     return "generic", True
 
 
-def _float(at: Any) -> float:
-    return 0.0 if at.contains(0) else float(at.mid())
-
-
-def _inner(found: list[SpecialPoint], low: Any, high: Any) -> list[SpecialPoint]:
-    """The split points strictly inside, one for each double."""
-    a, b = _float(low), _float(high)
-    inside = {_float(point.at): point for point in found if a < _float(point.at) < b}
-    near = (high - low) * 2.0**-50
-    return [point for _, point in sorted(inside.items()) if point.at - low > near and high - point.at > near]
-
-
-def _end(found: list[SpecialPoint], at: Any) -> SpecialPoint:
-    """An end of the interval with what was found there."""
-    from osculant.cas.special import SpecialPoint
-
-    kinds = [point.kinds for point in found if _float(point.at) == _float(at)]
-    return SpecialPoint(at, frozenset().union(*kinds))
-
-
 def _stretch(
     curve: PlaneCurve,
     before: SpecialPoint,
@@ -163,8 +133,8 @@ def _stretch(
     return Stretch(
         before.at,
         after.at,
-        _float(before.at),
-        _float(after.at),
+        as_float(before.at),
+        as_float(after.at),
         _frame(curve, before, 1),
         _frame(curve, after, -1),
         -1.0 if bend < 0 else 1.0,
@@ -186,6 +156,6 @@ def _frame(curve: PlaneCurve, point: SpecialPoint, side: int) -> Frame:
             tangent = (float((sign * x[order] / length).mid()), float((sign * y[order] / length).mid()))
             return Frame((float(x[0].mid()), float(y[0].mid())), tangent)
     raise UndecidedError(
-        f"The curve has no tangent at t = {_float(point.at):.10g} that {CUSP_ORDERS} derivatives could tell: "
-        "choose an interval without this point."
+        f"The curve has no tangent at t = {as_float(point.at):.10g} that {CUSP_ORDERS} derivatives could "
+        "tell: choose an interval without this point."
     )

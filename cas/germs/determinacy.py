@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 from osculant.cas.errors import UndecidedError
 from osculant.cas.germs.adapted import Adapted, adapted
-from osculant.cas.germs.codimension import codimension, contact_bound, last_order, tangent
+from osculant.cas.germs.codimension import codimension, last_order, tangent
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
 from osculant.cas.germs.infinite import Curve
@@ -70,14 +71,13 @@ def determinacy(germ: Germ, name: str | Group) -> Determinacy:
     whole = codimension(germ, g)
     if whole.curve is not None:
         return Determinacy("infinite", 0, 0, (), True, f"not finite along {whole.curve}", (), whole.curve)
-    bound = contact_bound(germ, g) if g.target == "left" else 1
-    assert not isinstance(bound, Curve)  # the codimension is finite
-    bound = max(bound, 1)
-    assert whole.tangent is not None
+    assert whole.tangent is not None  # the codimension is finite
+    bound = max(whole.bound, 1)
     # M^{k+1}θ ⊂ T G f is necessary
     least = max(1, whole.tangent.depth)
+    coordinates = _Coordinates(germ, g, least + bound)
     for k in range(least, last_order(germ) - bound + 1):
-        for tried in _coordinates(germ, g, least + bound):
+        for tried in coordinates:
             fields = _proof(tried.germ if tried else germ, g, k, bound)
             if fields is not None:
                 sharp, reason = _sharpness(germ, g, k, whole.tangent.depth, whole.tangent.codimension)
@@ -89,12 +89,21 @@ def determinacy(germ: Germ, name: str | Group) -> Determinacy:
     )
 
 
-def _coordinates(germ: Germ, g: Group, order: int) -> Iterator[Adapted | None]:
+class _Coordinates:
     """The coordinates given (None), then those adapted to the jet of that order or else of a lower one."""
-    yield None
-    moved = next(filter(None, (adapted(germ, g, k) for k in range(order, 1, -1))), None)
-    if moved is not None:
-        yield moved
+
+    def __init__(self, germ: Germ, g: Group, order: int) -> None:
+        self.germ, self.group, self.order = germ, g, order
+
+    def __iter__(self) -> Iterator[Adapted | None]:
+        yield None
+        if self._moved is not None:
+            yield self._moved
+
+    @cached_property
+    def _moved(self) -> Adapted | None:
+        orders = range(self.order, 1, -1)
+        return next(filter(None, (adapted(self.germ, self.group, k) for k in orders)), None)
 
 
 def _proof(germ: Germ, g: Group, k: int, bound: int) -> tuple[LinearField, ...] | None:

@@ -14,6 +14,7 @@ from scipy.spatial import cKDTree
 
 from osculant.cas.errors import DomainError, FormulaError, ToleranceError
 from osculant.plane import PlaneCurve
+from osculant.report import values_data
 from osculant.space import SpaceCurve
 from osculant.space_approximation import approximate_in_space, complexity_in_space
 from osculant.space_fitting import extent
@@ -22,7 +23,6 @@ from osculant.space_report import (
     print_space_spline,
     print_space_values,
     space_invariants_data,
-    space_values_data,
 )
 from osculant.space_tables import LOST
 
@@ -132,7 +132,7 @@ def test_reports(capsys):
     json.dumps(data)
     print_space_invariants(data, latex=False)
     print_space_invariants(data, latex=True)
-    values = space_values_data(curve, "1", 12)
+    values = values_data(curve, "1", 12)
     json.dumps(values)
     print_space_values(values, latex=False)
     shown = capsys.readouterr().out
