@@ -26,7 +26,7 @@ STEPS = 400
 def scan(curve: SpaceCurve, rule: int) -> tuple[int, int, float]:
     """(arcs that had a bihelix, falls, largest error before the first fall) over `STEPS` longer arcs."""
     division = divide(curve)
-    fitting = SpaceFitting(curve, "equioscillating", 1.0, division, extent(curve))
+    fitting = SpaceFitting(curve, "equioscillating", division, extent(curve))
     stretch = division.stretches[0]
     compiled, table = curve.compiled, np.empty((1, bihelix_spline.COLUMNS))
     times = np.linspace(stretch.a, stretch.b, STEPS + 1)

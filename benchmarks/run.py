@@ -12,6 +12,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -19,17 +20,19 @@ from rich.console import Console
 from rich.table import Table
 
 import osculant as osc
+from osculant.arcs import Arcs
 from osculant.codegen.jets import compile_jet
 from osculant.extent import extent
 from osculant.fitting import Fitting
 from osculant.kernels import bihelix_spline, greedy
 from osculant.kernels.curve import JET_SIZE, sample_many
-from osculant.primitives import PRIMITIVES
+from osculant.primitives import PRIMITIVES, choose
 from osculant.space import SpaceCurve
 from osculant.space_fitting import SpaceFitting
 from osculant.space_fitting import extent as extent_in_space
 from osculant.space_stretches import divide as divide_in_space
 from osculant.stretches import divide
+from osculant.tolerances import window
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
 REPEATS = 400
@@ -51,13 +54,13 @@ def median_seconds(job: Callable[[], object], repeats: int) -> float:
 class KernelRun:
     """The greedy kernel on the spiral's one stretch, as `Fitting` calls it."""
 
-    def __init__(self, primitive: str, tolerance: float) -> None:
+    def __init__(self, primitive: str, tolerance: float, metric: str = "hausdorff") -> None:
         self.curve = osc.curve(*SPIRAL)
-        division = divide(self.curve, primitive)
-        fitting = Fitting(self.curve, primitive, tolerance, division, extent(self.curve))
-        (stretch,) = division.stretches
+        fit, size = choose(primitive, metric), extent(self.curve)
+        (part,) = Fitting(self.curve, primitive, fit, divide(self.curve, primitive), size).parts
+        assert isinstance(part, Arcs)
         self.table = np.empty((4096, greedy.COLUMNS))
-        self.job = fitting.job(stretch)
+        self.job = part.job(*window(tolerance, size.rounding(fit.dimension)))
 
     def __call__(self, address: int | None = None) -> int:
         """Run once, on the compiled jet or on another one at ``address``; returns the pieces."""
@@ -95,19 +98,36 @@ def kernel_rows() -> list[tuple[str, str, str]]:
     return rows
 
 
+def area_rows() -> list[tuple[str, str, str]]:
+    """Time per piece of the spiral for the least n with n pieces of area ε/n, all passes together."""
+    rows = []
+    curve = osc.curve(*SPIRAL)
+    for primitive in PRIMITIVES:
+        fit, division = choose(primitive, "area"), divide(curve, primitive)
+        fitting = Fitting(curve, primitive, fit, division, extent(curve))
+        for tolerance in (1e-4, 1e-6):
+            pieces = sum(map(len, fitting.of_area(tolerance)))
+            seconds = median_seconds(partial(fitting.of_area, tolerance), REPEATS)
+            wanted = "10 µs" if (primitive, tolerance) == ("conic", 1e-6) else ""
+            name = f"spiral, area {tolerance:g} in all, {pieces} × {primitive}: per piece"
+            rows.append((name, f"{1e6 * seconds / pieces:.2f} µs", wanted))
+    return rows
+
+
 def bihelix_row() -> tuple[str, str, str]:
     """Time per bihelix of the conical spiral."""
     curve = SpaceCurve("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
     division = divide_in_space(curve)
-    fitting = SpaceFitting(curve, "equioscillating", 1e-6, division, extent_in_space(curve))
+    fitting = SpaceFitting(curve, "equioscillating", division, extent_in_space(curve))
     (stretch,) = division.stretches
     table = np.empty((4096, bihelix_spline.COLUMNS))
     ends = [(*frame.point, *frame.tangent) for frame in (stretch.start, stretch.end)]
-    address, place, window = curve.compiled.address, fitting.place, fitting.window
+    address, place = curve.compiled.address, fitting.place
+    low, high = window(1e-6, fitting.size.rounding)
 
     def run() -> int:
         found = bihelix_spline.spline(
-            fitting.rule, address, place, stretch.a, ends[0], stretch.b, ends[1], *window, 0.0, table
+            fitting.rule, address, place, stretch.a, ends[0], stretch.b, ends[1], low, high, 0.0, table
         )
         return int(found[0])
 
@@ -165,7 +185,14 @@ def fresh_process_row() -> tuple[str, str, str]:
 def main() -> None:
     """Print the table."""
     table = Table("what", "measured", "wanted", title="osculant, one thread")
-    for row in (*kernel_rows(), bihelix_row(), *jet_rows(), *new_formula_rows(), fresh_process_row()):
+    for row in (
+        *kernel_rows(),
+        *area_rows(),
+        bihelix_row(),
+        *jet_rows(),
+        *new_formula_rows(),
+        fresh_process_row(),
+    ):
         table.add_row(*row)
     Console(width=130).print(table)
 

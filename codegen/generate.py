@@ -13,8 +13,8 @@ import sympy as sp
 
 from osculant.cas import pencil
 from osculant.cas.asymptotics.arc_laws import arc_law
-from osculant.cas.complexity import LAWS
-from osculant.cas.leading import canonical_coefficients
+from osculant.cas.complexity import LAWS, law_of
+from osculant.cas.leading import area_constant, canonical_coefficients
 from osculant.cas.plane_exact import jet_symbols
 from osculant.cas.space_curves import SpaceJet
 from osculant.codegen.closed_forms import ClosedForm, module_source
@@ -74,20 +74,27 @@ def invariants_module() -> str:
 
 
 def laws_module() -> str:
-    """The densities of the predicted number of pieces over jets of order 5."""
+    """The densities of the predicted number of pieces over jets of order 5, for both metrics."""
     jet = jet_symbols()
-    forms = []
-    constants = {"biarc": arc_law("biarc").constant}
+    constants = {("biarc", metric): arc_law("biarc", metric).constant for metric in ("hausdorff", "area")}
     for crossings, primitive in enumerate(("parabola", "conic")):
         shape, x = pencil.lobe_shape(crossings)
         peak = sp.Abs(shape.subs(x, pencil.lobes(crossings)["first"]))
-        constants[primitive] = sp.simplify(sp.Rational(canonical_coefficients()[crossings]) * peak)
-    for primitive, law in LAWS.items():
-        c = constants[primitive]
-        density = (c * law.invariant(jet)) ** sp.Rational(1, law.order) * jet.speed
-        purpose = f"Pieces of a {primitive} spline per unit of the parameter, times ε^(1/{law.order})."
-        arguments = (*jet.x[1:], *jet.y[1:])
-        forms.append(ClosedForm(f"{primitive}_density", purpose, arguments, {"density": density}))
+        constants[primitive, "hausdorff"] = sp.simplify(
+            sp.Rational(canonical_coefficients()[crossings]) * peak
+        )
+        constants[primitive, "area"] = sp.Rational(area_constant(primitive))
+    forms = []
+    for metric, name, error in (("hausdorff", "density", "ε"), ("area", "area_density", "a piece's area")):
+        for primitive in LAWS:
+            law = law_of(primitive, metric)
+            c = constants[primitive, metric]
+            density = (c * law.invariant(jet)) ** sp.Rational(1, law.order) * jet.speed
+            purpose = (
+                f"Pieces of a {primitive} spline per unit of the parameter, times {error}^(1/{law.order})."
+            )
+            arguments = (*jet.x[1:], *jet.y[1:])
+            forms.append(ClosedForm(f"{primitive}_{name}", purpose, arguments, {"density": density}))
     return module_source("cas/complexity.py", forms, {})
 
 

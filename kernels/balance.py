@@ -27,6 +27,8 @@ LENGTHS_AGREE = 1.25
 #: the two helices together turn less than this: just below one turn, where the ends' tangents agree and no
 #: junction line exists
 MOST_TURN = 1.98 * math.pi
+#: neither helix is shorter than this part of both
+SHORTEST = 1e-6
 #: errors up to this many times the noise of the coordinates are rounding
 ROUNDING = 16.0
 
@@ -43,7 +45,8 @@ def assess(
     found, two = bihelix(rule, source, a, left, b, right, sigma, 0.5 * v * sigma, lengths)
     turn = two[0][14] + two[1][14]
     length = two[0][13] + two[1][13]
-    if not found or turn > MOST_TURN:
+    shorter = min(two[0][13], two[1][13])
+    if not found or turn > MOST_TURN or shorter <= SHORTEST * length:
         return math.inf, math.inf, True, two
     first, second, trusted = peaks(source, a, b, two, points)
     trusted = trusted and sigma <= LENGTHS_AGREE * length and length <= LENGTHS_AGREE * sigma

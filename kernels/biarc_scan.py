@@ -164,7 +164,7 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
     """(error, μ) of the biarc with max D = −min D over [a, b]; error infinite if there is none.
 
     Of a spiral arc the members lie side by side: max D and min D move in one direction with μ, so false
-    position with bisection finds the best.
+    position with bisection finds the best.  Across a vertex they need not: then it is the best one seen.
     """
     fam = family(start, end)
     if not is_proper(fam):
@@ -175,17 +175,25 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
     upward = fam[12] < 2.0 * fam[11]  # κ decreases, and D increases with μ
     low, high = 0.0, 1.0
     excess_low, excess_high = math.nan, math.nan
-    mu = 0.5
+    kept, least = 0.5, math.inf
     for step in range(ROUNDS):
         mu = 0.5 * (low + high)
         if step % 3 and math.isfinite(excess_low) and math.isfinite(excess_high):
             mu = (low * excess_high - high * excess_low) / (excess_high - excess_low)
         top, bottom = extremes(member(fam, mu), source, a, b, space, count)
-        excess = top + bottom
-        if abs(excess) <= BALANCED * max(top, -bottom) or high - low <= BALANCED:
+        excess, size = top + bottom, max(top, -bottom)
+        if size < least:
+            kept, least = mu, size
+        if abs(excess) <= BALANCED * size or high - low <= BALANCED:
             break
+        if step == 0 and size <= source[1][4]:
+            break  # rounding says nothing about μ
         if (excess > 0.0) == upward:
             high, excess_high = mu, excess
         else:
             low, excess_low = mu, excess
-    return attained(member(fam, mu), source, a, b, space, count), mu
+    error = attained(member(fam, kept), source, a, b, space, count)
+    if math.isinf(error):
+        kept = 0.5
+        error = attained(member(fam, kept), source, a, b, space, count)
+    return error, kept

@@ -44,15 +44,15 @@ QUICK, CHECKED = 4, 8
 FAST_STEPS, CAREFUL_STEPS = 16, 100
 #: an arc changes its length at most by this factor in one step
 STRIDE = 2.0
-#: log(left peak/right peak) of a junction that is left as it is, and of a careful search
-CALM, BALANCED = 1e-3, 1e-4
+#: log(left peak/right peak) of a junction that is left as it is; unequal peaks cost length
+CALM = 2e-7
 #: the secant aims here in the window of admissible errors, 0 being its upper end
 AIM = 0.4
 #: relative width of a bracket that ends the careful search
 NARROW = 1e-9
 #: if less than this part of an arc would be left to the end of the stretch, the arc ends early, after this
 #: part of the whole, for a last piece of some length
-SHORT, EARLY = 1e-6, 0.9
+SHORT, EARLY = 1e-3, 0.9
 
 
 @kernel
@@ -81,7 +81,7 @@ def quick_arc(
     """
     aim = AIM * low + (1.0 - AIM) * high
     previous, previous_error = math.nan, math.nan
-    settled = rule != EQUIOSCILLATING
+    previous_w, previous_g, steepness = math.nan, math.nan, STEEPNESS
     for _ in range(FAST_STEPS):
         b = a + length
         if b > stop - 1e-9 * length:
@@ -96,16 +96,17 @@ def quick_arc(
         error = max(first, second)
         if not trusted or not error > ROUNDING * source[1][4] or math.isinf(error):
             return b, w, exponent, False
-        if not settled:
-            g = math.log(first / second)
-            settled = abs(g) <= CALM
-            if not settled:
-                w = (v - max(-0.1, min(0.1, g / STEEPNESS))) / sigma
-                ratio = (aim / math.sqrt(first * second)) ** (1.0 / exponent)
-                length *= min(STRIDE, max(1.0 / STRIDE, ratio))
-                continue
-        if error <= high and (error >= low or b == stop):
+        g = math.log(first / second) if rule == EQUIOSCILLATING else 0.0
+        calm = max(CALM, 8.0 * source[1][4] / error)
+        if abs(g) <= calm and error <= high and (error >= low or b == stop):
             return b, w, exponent, True
+        if abs(g) > calm:
+            turned = (v / sigma - previous_w) * sigma
+            if abs(turned) > 1e-9:  # not so while there is no previous evaluation
+                steepness = min(4.0 * STEEPNESS, max(0.25 * STEEPNESS, (g - previous_g) / turned))
+            previous_w, previous_g = v / sigma, g
+            w = (v - max(-0.1, min(0.1, g / steepness))) / sigma
+            error = math.sqrt(first * second)  # about that of equal peaks
         if error != previous_error and length != previous:
             seen = math.log(error / previous_error) / math.log(length / previous)
             if 1.0 < seen < 12.0:  # not so while there is no previous evaluation
@@ -164,13 +165,14 @@ def careful_arc(
 
 @kernel
 def balanced(
-    rule: int, source: Source, a: float, start: End, b: float, end: End, v: float, lengths: Lengths
-) -> tuple[float, float, float, float, Bihelix]:
+    rule: int, source: Source, a: float, start: End, b: float, end: End, v: float, lengths: Lengths,
+    calm: float = CALM,
+) -> tuple[float, float, float, float, Bihelix]:  # fmt: skip
     """(error, left peak, right peak, v, bihelix) by the rule over [a, b]; infinite error if there is none.
 
     Where the feet do not move along the bihelix in order, the error is searched with more care.
     """
-    first, second, v, trusted, two = best(rule, source, a, start, b, end, v, BALANCED, CHECKED, lengths)
+    first, second, v, trusted, two = best(rule, source, a, start, b, end, v, calm, CHECKED, lengths)
     error = max(first, second)
     if not trusted and math.isfinite(error):
         error = two_sided(source, a, b, measure_lengths(source, a, b, lengths), two)

@@ -53,6 +53,19 @@ def weight(pen: Pencil, q: float) -> float:
     return w
 
 
+#: the sine of the angle by which an arc must turn less than π for a parabola
+NEAR_PI = 1e-8
+
+
+@kernel
+def parabola(pen: Pencil) -> float:
+    """Q of the parabola; NaN if the end tangents do not meet ahead, or as good as at infinity."""
+    turns_back = pen[2] * pen[6] + pen[3] * pen[7] < 0.0
+    if not pen[13] > (NEAR_PI if turns_back else 0.0):
+        return math.nan
+    return generated.parabola(pen[11], pen[12], pen[13])
+
+
 @kernel
 def view(pen: Pencil, source: Source, t: float) -> View:
     """The three lines of the pencil and their derivatives at α(t)."""

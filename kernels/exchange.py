@@ -11,7 +11,17 @@ from __future__ import annotations
 
 import math
 
-from osculant.kernels.bitangent import Pencil, View, displacement, is_proper, pencil, through, view, weight
+from osculant.kernels.bitangent import (
+    Pencil,
+    View,
+    displacement,
+    is_proper,
+    parabola,
+    pencil,
+    through,
+    view,
+    weight,
+)
 from osculant.kernels.curve import Frame, Source
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
@@ -118,9 +128,9 @@ def exchange(
         return failed
     first = view(pen, source, a + x1 * h)
     if primitive == PARABOLA:
-        if not pen[13] > 0.0:
+        q = parabola(pen)
+        if math.isnan(q):
             return failed
-        q = generated.parabola(pen[11], pen[12], pen[13])
         d, _, slope = displacement(pen, q, first)
         steep = slope * h / d
         sharp = sharpened(sharp1, before[0], x1, steeps[0], steep)

@@ -13,20 +13,36 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels import biarc, biarc_scan, biarc_spline
+from osculant.kernels import (
+    area_exchange,
+    area_scan,
+    biarc,
+    biarc_area,
+    biarc_moons,
+    biarc_scan,
+    biarc_spline,
+)
 from osculant.kernels.bitangent import pencil
 from osculant.kernels.curve import JET_SIZE, Frame, Place, Source, sample
 from osculant.kernels.exchange import Peaks, exchange, first_peaks
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 from osculant.kernels.minimax import minimax
-from osculant.kernels.primitives import BIARC, PARABOLA
+from osculant.kernels.primitives import (
+    AREA_PARABOLA,
+    BIARC,
+    CONIC,
+    EQUISYMMETRIC,
+    EQUISYMMETRIC_BIARC,
+    LEAST_AREA,
+    PARABOLA,
+)
 from osculant.kernels.scan import GRID, Space, measure, workspace
 
 #: why an arc ends where it does
 ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT, ENDS_EARLY = 0, 1, 2, 3
-#: columns of the table of pieces, as `record` fills them, and which of them says why the arc ends
-COLUMNS, REASON = 15, 4
+#: columns of the table of pieces, as `record` fills them, and which say the error and why the arc ends
+COLUMNS, ERROR, REASON = 15, 3, 4
 #: inner samples of the measurement that decides
 CHECKED = 8
 #: fast evaluations per arc before the careful search takes over
@@ -39,7 +55,7 @@ AIM = 0.3
 UNREST = 0.05
 #: if less than this part of an arc would be left to the end of the stretch, doubles can hardly carry what is
 #: left: the arc ends early, after this part of the whole, for a last piece of some length
-SHORT, EARLY = 1e-6, 0.9
+SHORT, EARLY = 1e-3, 0.9
 #: evaluations of the careful search
 CAREFUL_STEPS = 200
 
@@ -58,12 +74,54 @@ def frame_at(source: Source, t: float, stop: float, last: Frame) -> Frame:
 
 
 @kernel
+def order(primitive: int) -> float:
+    """The order of a short arc's error in its length."""
+    if primitive == BIARC:
+        return 3.0
+    if primitive in (PARABOLA, EQUISYMMETRIC_BIARC):
+        return 4.0
+    return 5.0 if primitive in (CONIC, AREA_PARABOLA) else 6.0
+
+
+@kernel
+def peaks_at_first(primitive: int) -> Peaks:
+    """What `exchange` of the primitive starts with."""
+    if primitive == BIARC:
+        return biarc_spline.FIRST_PEAKS
+    if primitive == EQUISYMMETRIC_BIARC:
+        return biarc_area.FIRST_PEAKS
+    if primitive in (PARABOLA, CONIC):
+        return first_peaks(primitive)
+    return area_exchange.FIRST_LEVEL
+
+
+@kernel
+def step(
+    primitive: int, source: Source, a: float, start: Frame, b: float, end: Frame,
+    peaks: Peaks, steeps: tuple[float, float], before: tuple[float, float], calm: float, space: Space,
+) -> tuple[float, float, float, Peaks, tuple[float, float]]:  # fmt: skip
+    """One fast evaluation of the arc [a, b], as `exchange`; ``calm`` is the unrest aimed at."""
+    if primitive == BIARC:
+        error, q, unrest, moved = biarc_spline.exchange(source, a, start, b, end, peaks)
+        return error, q, unrest, moved, steeps
+    if primitive == EQUISYMMETRIC_BIARC:
+        error, q, unrest, moved = biarc_area.exchange(source, a, start, b, end, peaks)
+        return error, q, unrest, moved, steeps
+    if primitive in (AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA):
+        error, q, unrest, moved = area_exchange.exchange(
+            primitive, source, a, start, b, end, peaks, calm, space
+        )
+        return error, q, unrest, moved, steeps
+    return exchange(primitive, source, a, start, b, end, peaks, steeps, before)
+
+
+@kernel
 def quick_arc(
     primitive: int, source: Source, a: float, start: Frame,
-    stop: float, last: Frame, length: float, low: float, high: float, peaks: Peaks,
+    stop: float, last: Frame, length: float, low: float, high: float, peaks: Peaks, space: Space,
 ) -> tuple[float, float, Peaks, bool]:  # fmt: skip
     """(b, Q, peaks, found) of the longest arc with error in [low, high], by fast steps from ``length``."""
-    exponent = 3.0 if primitive == BIARC else 4.0 if primitive == PARABOLA else 5.0
+    exponent = order(primitive)
     aim = AIM * low + (1.0 - AIM) * high
     calm = UNREST * (high - low) / high
     steeps, before = (math.nan, math.nan), (math.nan, math.nan)
@@ -74,12 +132,9 @@ def quick_arc(
             b = stop
         length = b - a
         end = frame_at(source, b, stop, last)
-        if primitive == BIARC:
-            error, q, unrest, moved = biarc_spline.exchange(source, a, start, b, end, peaks)
-        else:
-            error, q, unrest, moved, steeps = exchange(
-                primitive, source, a, start, b, end, peaks, steeps, before
-            )
+        error, q, unrest, moved, steeps = step(
+            primitive, source, a, start, b, end, peaks, steeps, before, calm, space
+        )
         if not error > 0.0:
             return b, q, peaks, False
         before, peaks = (peaks[0], peaks[1]), moved
@@ -148,6 +203,11 @@ def measured(
     if primitive == BIARC:
         arcs = biarc.member(biarc.family(start, end), q)
         return biarc_scan.measure(arcs, source, a, b, points, space)
+    if primitive == EQUISYMMETRIC_BIARC:
+        arcs = biarc.member(biarc.family(start, end), q)
+        return biarc_moons.measure(arcs, source, a, b, points, space)
+    if primitive in (AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA):
+        return area_scan.measure(pencil(start, end, source[1][4]), q, source, a, b, space)
     return measure(pencil(start, end, source[1][4]), q, source, a, b, points, space)
 
 
@@ -162,7 +222,7 @@ def record(
     """
     row[0], row[1], row[2], row[3], row[4] = a, b, q, error, reason
     row[5], row[6], row[7], row[8], row[9], row[10] = start[0], start[1], start[2], start[3], end[0], end[1]
-    if primitive == BIARC:
+    if primitive in (BIARC, EQUISYMMETRIC_BIARC):
         arcs = biarc.member(biarc.family(start, end), q)
         row[11], row[12], row[13], row[14] = arcs[4], arcs[5], arcs[12], arcs[13]
         return
@@ -187,12 +247,14 @@ def spline(
     """
     source = (address, place, np.empty(JET_SIZE))
     space = workspace()
-    shape = biarc_spline.FIRST_PEAKS if primitive == BIARC else first_peaks(primitive)
+    shape = peaks_at_first(primitive)
     peaks = shape
     careful = 0
     previous = math.nan
     for count in range(table.shape[0]):
-        b, q, after, found = quick_arc(primitive, source, a, start, stop, last, length, low, high, peaks)
+        b, q, after, found = quick_arc(
+            primitive, source, a, start, stop, last, length, low, high, peaks, space
+        )
         reason = ENDS_AT_STRETCH if b == stop else ENDS_AT_TOLERANCE
         error = math.inf
         if found:

@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import math
 
-from osculant.kernels import biarc_scan
+from osculant.kernels import area_scan, biarc_moons, biarc_scan
 from osculant.kernels.bitangent import (
     Pencil,
     is_flat,
     is_proper,
+    parabola,
     pencil,
-    through,
     weight,
-    within_noise,
 )
 from osculant.kernels.curve import Frame, Source
 from osculant.kernels.exchange import PARABOLA
-from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import BIARC
-from osculant.kernels.scan import GRID, Space, at_row, extremes, look, measure
+from osculant.kernels.primitives import AREA_PARABOLA, BIARC, EQUISYMMETRIC, EQUISYMMETRIC_BIARC, LEAST_AREA
+from osculant.kernels.scan import GRID, Space, extremes, look, measure, members_through
 
 #: rounds of the search for Q, and its relative accuracy
 ROUNDS, BALANCED = 80, 1e-12
@@ -30,15 +28,20 @@ def minimax(
     primitive: int, source: Source, a: float, start: Frame,
     b: float, end: Frame, space: Space,
 ) -> tuple[float, float]:  # fmt: skip
-    """(error, Q) of the best conic, or of the parabola, of the arc [a, b]; error infinite if none.
+    """(error, Q) of the piece of the arc [a, b] that ``primitive`` asks for; error infinite if none.
 
-    Q = 0 is the chord, of an arc that is straight to rounding.  Of a biarc Q is its μ.
+    Q = 0 is the chord, of an arc that is straight to rounding.  Of a biarc Q is its μ.  The error is an area
+    where ``primitive`` is one of the area metric.
 
     d decreases or increases with Q at every point at once, so max d + min d has one zero, between
     the least and the greatest Q of the members through the samples.
     """
     if primitive == BIARC:
         return biarc_scan.best(source, a, start, b, end, space)
+    if primitive == EQUISYMMETRIC_BIARC:
+        return biarc_moons.best(source, a, start, b, end, space)
+    if primitive in (AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA):
+        return area_scan.best(primitive, source, a, start, b, end, space)
     pen = pencil(start, end, source[1][4])
     if is_flat(pen):
         return measure(pen, 0.0, source, a, b, GRID, space), 0.0
@@ -48,20 +51,12 @@ def minimax(
     if count < 0:
         return math.inf, math.nan
     if primitive == PARABOLA:
-        if not pen[13] > 0.0:
-            return math.inf, math.nan
-        q = generated.parabola(pen[11], pen[12], pen[13])
-        top, bottom = extremes(pen, q, source, a, b, space, count)
-        return (math.inf if math.isnan(top) else max(top, -bottom)), q
-    low, high = math.inf, 0.0
-    for i in range(count):
-        seen = at_row(space[0], i)
-        if within_noise(pen, seen):  # says nothing
-            continue
-        q = through(seen)
+        q = parabola(pen)
         if math.isnan(q):
             return math.inf, math.nan
-        low, high = min(low, q), max(high, q)
+        top, bottom = extremes(pen, q, source, a, b, space, count)
+        return (math.inf if math.isnan(top) else max(top, -bottom)), q
+    low, high = members_through(pen, space, count)
     if high == 0.0:
         return math.inf, math.nan
     return balanced(pen, source, a, b, space, count, low, high)

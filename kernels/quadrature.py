@@ -1,7 +1,7 @@
-"""The predicted number of pieces in doubles: tanh-sinh quadrature of a density over jets of order 5.
+"""Contents in doubles, ∫ of a density over jets of order 5: tanh-sinh quadrature, or Gauss on a grid.
 
 `cas.complexity` has the same integral to any number of digits; this is for the prediction beside a spline,
-where nine digits and a few thousand samples of machine code do.
+where nine digits and a few thousand samples of machine code do, and for knots to start from.
 """
 
 from __future__ import annotations
@@ -12,10 +12,18 @@ from typing import Any
 import numpy as np
 
 from osculant.kernels.curve import call_jet
-from osculant.kernels.generated.laws import biarc_density, conic_density, parabola_density
+from osculant.kernels.gauss import NODES, SIZES, WEIGHTS
+from osculant.kernels.generated.laws import (
+    biarc_area_density,
+    biarc_density,
+    conic_area_density,
+    conic_density,
+    parabola_area_density,
+    parabola_density,
+)
 from osculant.kernels.invariants import JET_SIZE
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import BIARC, PARABOLA
+from osculant.kernels.primitives import AREA_PARABOLA, BIARC, CONIC, EQUISYMMETRIC_BIARC, PARABOLA
 
 #: steps of the quadrature are 2^−COARSEST … 2^−FINEST; then the interval is halved, DEPTH times at most
 COARSEST, FINEST, DEPTH = 2, 5, 30
@@ -28,24 +36,30 @@ FARTHEST = 3.6
 
 
 @kernel
-def density(primitive: int, address: int, scale: float, jet: np.ndarray[Any, Any], t: float) -> float:
-    """The density of the primitive's law at t, on the curve scaled; 0 where rounding leaves no number."""
+def density(code: int, address: int, scale: float, jet: np.ndarray[Any, Any], t: float) -> float:
+    """The density of the law with that code at t, on the curve scaled; 0 where rounding leaves no number."""
     call_jet(address, t, jet)
     jet *= scale
     x1, x2, x3, x4, x5 = jet[1], jet[2], jet[3], jet[4], jet[5]
     y1, y2, y3, y4, y5 = jet[7], jet[8], jet[9], jet[10], jet[11]
-    if primitive == PARABOLA:
+    if code == PARABOLA:
         value = parabola_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
-    elif primitive == BIARC:
-        value = biarc_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
-    else:
+    elif code == CONIC:
         value = conic_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
+    elif code == BIARC:
+        value = biarc_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
+    elif code == AREA_PARABOLA:
+        value = parabola_area_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
+    elif code == EQUISYMMETRIC_BIARC:
+        value = biarc_area_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
+    else:  # the conics of equal moons and of least area have the same law
+        value = conic_area_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
     return value if math.isfinite(value) else 0.0
 
 
 @kernel
 def tanh_sinh(
-    primitive: int, address: int, scale: float, jet: np.ndarray[Any, Any], a: float, b: float
+    code: int, address: int, scale: float, jet: np.ndarray[Any, Any], a: float, b: float
 ) -> tuple[float, float]:
     """(integral, its change at the last halving of the step) over [a, b]."""
     size = b - a
@@ -57,9 +71,9 @@ def tanh_sinh(
             u = index * step
             near = 1.0 / (1.0 + math.exp(math.pi * math.sinh(u)))
             weight = math.pi * math.cosh(u) * near * (1.0 - near)
-            total += weight * density(primitive, address, scale, jet, a + size * near)
+            total += weight * density(code, address, scale, jet, a + size * near)
             if index > 0:
-                total += weight * density(primitive, address, scale, jet, b - size * near)
+                total += weight * density(code, address, scale, jet, b - size * near)
             index += 1 if level == COARSEST else 2
         previous, value = value, total * size * step
         change = abs(value - previous)
@@ -69,11 +83,11 @@ def tanh_sinh(
 
 
 @kernel
-def predicted(primitive: int, address: int, scale: float, a: float, b: float) -> float:
-    """C = ∫ density over [a, b], of the curve times ``scale``, to about nine digits; NaN if unsettled.
+def predicted(code: int, address: int, scale: float, a: float, b: float) -> float:
+    """S = ∫ density over [a, b], of the curve times ``scale``, to about nine digits; NaN if unsettled.
 
-    ``address`` is a compiled jet of order 5.  Singularities at the ends do no harm; where one is near, the
-    interval is halved.
+    ``code`` is one of `kernels.primitives`, ``address`` a compiled jet of order 5.  Singularities at the
+    ends do no harm; where one is near, the interval is halved.
     """
     jet = np.empty(JET_SIZE)
     stack = np.empty((DEPTH + 2, 2))
@@ -84,7 +98,7 @@ def predicted(primitive: int, address: int, scale: float, a: float, b: float) ->
             return total
         low, high = stack[open_parts - 1, 0], stack[open_parts - 1, 1]
         open_parts -= 1
-        value, change = tanh_sinh(primitive, address, scale, jet, low, high)
+        value, change = tanh_sinh(code, address, scale, jet, low, high)
         if change <= AGREEMENT * max(value, total) or open_parts > DEPTH:
             total += value
         else:
@@ -93,3 +107,28 @@ def predicted(primitive: int, address: int, scale: float, a: float, b: float) ->
             stack[open_parts + 1, 0], stack[open_parts + 1, 1] = low, middle
             open_parts += 2
     return math.nan
+
+
+@kernel
+def contents(
+    code: int, address: int, scale: float, times: np.ndarray[Any, Any], out: np.ndarray[Any, Any]
+) -> None:
+    """∫ density from ``times[0]`` to every one of the increasing ``times`` (m,), into ``out`` (m,).
+
+    Of the curve times ``scale``; out[m−1]·ε^{−1/p} pieces have the error ε each, on the curve scaled, and
+    equal steps of the content give equal errors, to leading order.  For knots to start from: as accurate as
+    the grid is fine.  Singularities at both ends do no harm.
+    """
+    jet = np.empty(JET_SIZE)
+    last = times.shape[0] - 1
+    out[0] = 0.0
+    for j in range(1, last + 1):
+        a, b = times[j - 1], times[j]
+        if j == 1 or j == last:
+            value, _ = tanh_sinh(code, address, scale, jet, a, b)
+        else:
+            value = 0.0
+            for i in range(SIZES[0]):
+                t = a + (b - a) * NODES[0, i]
+                value += (b - a) * WEIGHTS[0, i] * density(code, address, scale, jet, t)
+        out[j] = out[j - 1] + value

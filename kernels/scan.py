@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.bitangent import Pencil, View, displacement, through, view
+from osculant.kernels.bitangent import Pencil, View, displacement, through, view, within_noise
 from osculant.kernels.curve import Source
 from osculant.kernels.jit import kernel
 
@@ -90,6 +90,24 @@ def at_row(rows: np.ndarray[Any, Any], i: int) -> View:
     """Row i of ``rows`` as a `View`."""
     v = rows[i]
     return v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10]
+
+
+@kernel
+def members_through(pen: Pencil, space: Space, count: int) -> tuple[float, float]:
+    """(least, greatest) Q of the members through the ``count`` samples; (0, 0) if one has no member.
+
+    So it is, too, if rounding hides them all.
+    """
+    low, high = math.inf, 0.0
+    for i in range(count):
+        seen = at_row(space[0], i)
+        if within_noise(pen, seen):  # says nothing
+            continue
+        q = through(seen)
+        if math.isnan(q):
+            return 0.0, 0.0
+        low, high = min(low, q), max(high, q)
+    return (low, high) if high > 0.0 else (0.0, 0.0)
 
 
 @kernel

@@ -3,24 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
-from typing import Any, Literal
+from typing import Any
 
-from osculant.asymptotics import Complexity, complexity_of, quick_complexity
-from osculant.biarcs import Biarc
+from osculant.asymptotics import Complexity, complexity_of
 from osculant.cas.errors import DomainError
 from osculant.formula_curve import coordinates_of
-from osculant.pieces import Piece
 from osculant.plane import PlaneCurve
-from osculant.primitives import PRIMITIVES
+from osculant.primitives import choose
 from osculant.space import SpaceCurve
 from osculant.space_spline import SpaceSpline
 from osculant.spline import Spline
-from osculant.stretches import Division, check_finite, divide
-from osculant.tolerances import check_floor, checked_tolerance
-
-#: pieces that may be due to the window of errors before the least number is called unknown
-CERTAIN_SLACK = 0.5
+from osculant.stretches import check_finite, divide
 
 
 def curve(formulas: Any, low: Any = None, high: Any = None) -> PlaneCurve | SpaceCurve:
@@ -45,86 +38,78 @@ def curve(formulas: Any, low: Any = None, high: Any = None) -> PlaneCurve | Spac
 def approximate(
     curve: PlaneCurve | SpaceCurve,
     primitive: str | None = None,
-    tolerance: float = 1e-6,
+    tolerance: float | None = None,
     *,
+    pieces: int | None = None,
     rule: str | None = None,
     metric: str = "hausdorff",
+    closed: bool | None = None,
+    split: str = "theory",
     split_at: Sequence[Any] = (),
     progress: Callable[[float], None] | None = None,
 ) -> Spline | SpaceSpline:
-    """The tangent-continuous spline with the fewest parabolas, conics or biarcs, in space bihelices.
+    """The tangent-continuous spline with the fewest pieces for a tolerance, or the best of a given number.
 
     Args:
         curve: with its interval.
         primitive: "parabola", "conic" (the default in the plane) or "biarc" (two circular arcs with a common
-            tangent, each piece turning by less than π, and by less than 2π where the curve is a circle); in
+            tangent, each piece turning by less than π, and by less than 2π where the curve is a circle);
+            "best" chooses the one that takes the fewest numbers to store (`Spline.choice` says why); in
             space "bihelix" (two helical arcs).
-        tolerance: the Hausdorff distance allowed, in the units of the coordinates.
-        rule: of bihelices only, which junction: "equioscillating" (the default) or "thesis".
-        metric: "hausdorff".
-        split_at: parameter values that shall be knots besides those that theory demands.
-        progress: called now and then with the part of the interval done, 0…1.
+        tolerance: the error allowed, 1e-6 unless ``pieces`` is given.
+        pieces: a number of pieces instead of a tolerance: the least greatest error of a piece, for which all
+            errors between two split points are equal.
+        rule: how a piece is chosen among those tangent to the curve at both ends: of conics in the metric
+            "area" "equisymmetric" (the default; both moons are equal) or "minimal-area"; of bihelices
+            "equioscillating" (the default) or "thesis".
+        metric: "hausdorff", the distance, in the units of the coordinates; or "area", the area between the
+            curve and the spline, of the whole curve: n pieces have areas of at most tolerance/n each. It is
+            that of the regions between each piece and its arc of the curve, also where the curve crosses
+            itself.
+        closed: True joins the ends of a closed curve, which then begins where that takes the fewest pieces;
+            its knots may lie beyond the interval by less than a period. By default it is found out.
+        split: "theory" has a knot at every point where theory needs one (sextactic points for conics, zeros
+            of the affine curvature for parabolas, vertices for biarcs, besides inflections and cusps);
+            "never" only at inflections and cusps, which often saves a piece but nothing proves that the
+            number is then the least.
+        split_at: parameter values that shall be knots besides.
+        progress: called now and then with the part done, 0…1.
 
-    Returns a `Spline`: its pieces' errors are measured on common normals of curve and piece after the
-    search and lie within the tolerance; a piece that ends neither at a split point nor at the end
+    Returns a `Spline`: its pieces' errors are measured after the search, distances on common normals of
+    curve and piece, and lie within the tolerance; a piece that ends neither at a split point nor at the end
     has its error in [ε(1−δ), ε], δ = max(1e-6, 32 ulp(largest coordinate)/ε).  The errors are
     estimates, not certificates.  They are Hausdorff distances while smaller than the curve's radii of
     curvature; beyond, upper bounds of them.
 
-    Raises DomainError where the curve is undefined, ToleranceError for a tolerance that is not a
-    positive number or lies below the rounding floor, UndecidedError where a cap was reached.
+    Raises DomainError where the curve is undefined, for a closed curve that is open, for fewer pieces than
+    the curve takes or a choice that does not exist; ToleranceError for a tolerance that is not a positive
+    number or lies below the rounding floor; UndecidedError where a cap was reached.
 
-    Source: thesis, sections 3.3 and 3.7, and chapter 5 as reconstructed for biarcs.
+    Source: thesis, sections 3.3, 3.4, 3.6.2 and 3.7, and chapter 5 as reconstructed for biarcs.
 
     >>> import osculant as osc
-    >>> spline = osc.approximate(osc.curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic", 1e-4)
+    >>> spiral = osc.curve("t*cos(t), t*sin(t)", "pi/6", "2*pi")
+    >>> spline = osc.approximate(spiral, "conic", 1e-4)
     >>> len(spline), spline.predicted_pieces, spline.minimal
     (9, 9, 'by theory')
+    >>> f"{osc.approximate(spiral, 'conic', pieces=9).error:.3g}"
+    '5.78e-05'
+    >>> len(osc.approximate(spiral, "conic", 1e-4, metric="area"))
+    13
     """
+    wanted: dict[str, Any] = {
+        "pieces": pieces, "rule": rule, "metric": metric, "split_at": split_at, "progress": progress
+    }  # fmt: skip
     primitive = primitive or _usual(curve)
     if isinstance(curve, SpaceCurve) or primitive == "bihelix":
-        from osculant.space_approximation import RULES, approximate_in_space
+        from osculant.space_approximation import approximate_in_space
 
-        return approximate_in_space(
-            curve,
-            primitive,
-            tolerance,
-            rule=rule or RULES[0],
-            metric=metric,
-            split_at=split_at,
-            progress=progress,
-        )
-    if rule is not None:
-        raise DomainError(f"The rule {rule!r} is for bihelices, and {primitive!r} has none: leave it out.")
-    _check_choices(primitive, metric)
-    tolerance = checked_tolerance(tolerance)
-    check_finite(curve)
+        return approximate_in_space(curve, primitive, tolerance, closed=closed, split=split, **wanted)
+    from osculant.plane_approximation import approximate_in_plane, approximate_with_least_numbers
 
-    from osculant.extent import extent
-    from osculant.fitting import Fitting  # these load the kernels: only once something is to be fitted
-
-    size = extent(curve)
-    check_floor(tolerance, size.largest)
-    division = divide(curve, primitive, split_at)
-    fitting = Fitting(curve, primitive, tolerance, division, size)
-    pieces: list[Piece | Biarc] = []
-    least: list[int] = []
-    for stretch in division.stretches:
-        found = fitting.pieces(stretch, progress)
-        pieces += found
-        least.append(len(found) if stretch.kind == "exact" else 1)
-    law = partial(quick_complexity, curve, primitive, division, tuple(least), size.scale)
-    return Spline(
-        curve,
-        primitive,
-        metric,
-        tolerance,
-        tuple(pieces),
-        _minimal(division, len(pieces), fitting.limited or fitting.slack * len(pieces) > CERTAIN_SLACK),
-        division.undecided,
-        division.splits,
-        lambda: _Prediction(law(), tolerance),
-    )
+    if primitive == "best":
+        return approximate_with_least_numbers(curve, tolerance, closed=closed, split=split, **wanted)
+    return approximate_in_plane(curve, primitive, tolerance, closed=closed, split=split, **wanted)
 
 
 def complexity(
@@ -137,13 +122,16 @@ def complexity(
 ) -> Complexity:
     """How many pieces theory predicts: leading constant, order, and ``count(tolerance)``.
 
-    Formulas (3.17) and (3.18), integrated over every stretch between special points; with ``next_term`` also
-    the second term's c₁, ``next_constant`` (open in section 3.8; it takes seconds, and the curve may have no
-    special point: DomainError).  Other arguments and errors as for `approximate`.
+    Formulas (3.17) and (3.18), in the metric "area" (3.25) and (3.26), integrated over every stretch between
+    special points; with ``next_term`` also the second term's c₁, ``next_constant`` (open in section 3.8; it
+    takes seconds, the metric must be "hausdorff" and the curve have no special point: DomainError).
+    ``predicted_error(pieces)`` is the inverse.  Other arguments and errors as for `approximate`.
 
     >>> law = complexity(curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic")
     >>> law.constants, law.order, law.count(1e-8)
     (('1.2695901170369955254',), 5, 51)
+    >>> complexity(curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic", metric="area").count(1e-6)
+    33
     """
     primitive = primitive or _usual(curve)
     if isinstance(curve, SpaceCurve) or primitive == "bihelix":
@@ -152,36 +140,11 @@ def complexity(
         if next_term:
             raise DomainError("The second term is not known for bihelices: ask without next_term.")
         return complexity_in_space(curve, primitive, metric=metric, split_at=split_at)
-    _check_choices(primitive, metric)
+    choose(primitive, metric)
     check_finite(curve)
     division = divide(curve, primitive, split_at)
-    return complexity_of(curve, primitive, division, (1,) * len(division.stretches), next_term)
+    return complexity_of(curve, primitive, division, (1,) * len(division.stretches), next_term, metric)
 
 
 def _usual(curve: PlaneCurve | SpaceCurve) -> str:
     return "bihelix" if isinstance(curve, SpaceCurve) else "conic"
-
-
-class _Prediction:
-    """A complexity at one tolerance."""
-
-    def __init__(self, law: Complexity, tolerance: float) -> None:
-        self.predicted = law.predicted(tolerance)
-        self.predicted_pieces = law.predicted_pieces(tolerance)
-
-
-def _minimal(division: Division, count: int, limited: bool) -> Literal["proved", "by theory", "unknown"]:
-    if division.undecided or not division.proved:
-        return "unknown"
-    if count == len(division.stretches):
-        return "proved"  # every stretch takes at least one piece
-    if limited or any(stretch.kind == "exact" for stretch in division.stretches):
-        return "unknown"
-    return "by theory"
-
-
-def _check_choices(primitive: str, metric: str) -> None:
-    if primitive not in PRIMITIVES:
-        raise DomainError(f"The primitive {primitive!r} is unknown: choose one of {', '.join(PRIMITIVES)}.")
-    if metric != "hausdorff":
-        raise DomainError(f"The metric {metric!r} is unknown: choose hausdorff.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import sys
@@ -15,15 +16,24 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from osculant.cas.errors import OsculantError
-from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed
+from osculant.files import GCODE_SUFFIXES, OPTIONS, SUFFIXES, listed
 from osculant.report import printable
 
 #: what has the looks of an option; everything else that begins with "-" is a formula or a number
 _OPTION = re.compile(r"--?[A-Za-z][A-Za-z0-9-]*(=.*)?", re.DOTALL)
 #: what has the looks of an option and is a formula all the same
 _MINUS = re.compile(r"-(t|pi|e)")
+#: units that can be written, and digits after the point that still mean something
+UNITS, MOST_DECIMALS = ("mm", "inch"), 17
 
-
+Formula = Annotated[
+    str,
+    typer.Argument(
+        metavar="FORMULA", help='The coordinates, such as "t*cos(t), t*sin(t)", or three in space.'
+    ),
+]
+Low = Annotated[str | None, typer.Option("--from", metavar="A", help="First end of the interval, a formula.")]
+High = Annotated[str | None, typer.Option("--to", metavar="B", help="Last end of the interval, a formula.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
 
 
@@ -185,10 +195,11 @@ def check_files(write: Sequence[str], plot: str | None, primitive: str | None = 
                 f"{listed(SUFFIXES)}; --plot makes pictures of other kinds."
             )
         suffix = Path(file).suffix.lower()
-        if suffix in {*GCODE_SUFFIXES, ".dxf"} and primitive in {"conic", "parabola"}:
+        if suffix in {*GCODE_SUFFIXES, ".dxf"} and primitive in {"conic", "parabola", "best"}:
+            kind = "may become conic arcs" if primitive == "best" else f"are to be {primitive} arcs"
             raise OsculantError(
                 f"Cannot write {printable(file)}: it would hold lines and circular arcs only, and the pieces "
-                f"are to be {primitive} arcs; choose --with biarc."
+                f"{kind}; choose --with biarc."
             )
         if suffix == ".dxf" and find_spec("ezdxf") is None:
             raise OsculantError(
@@ -209,6 +220,53 @@ def check_files(write: Sequence[str], plot: str | None, primitive: str | None = 
                 f".{', .'.join(kinds)}."
             )
         check_place(plot)
+
+
+def writing_options(write: Sequence[str], **texts: str | None) -> dict[str, dict[str, Any]]:
+    """What `Spline.write` is to be told about each file.
+
+    Args:
+        write: the files, of known suffixes.
+        texts: "reserve", "decimals" and "units" as typed, None where they are not.
+
+    Raises:
+        UsageError: a value that makes no sense, or an option that none of the files can follow.
+
+    >>> writing_options(["a.svg", "b.nc"], reserve="1e-3", decimals="4")
+    {'a.svg': {'reserve': 0.001}, 'b.nc': {'decimals': 4, 'reserve': 0.001}}
+    """
+    values: dict[str, Any] = {name: text for name, text in texts.items() if text is not None}
+    for name in values:
+        able = [suffix for suffix, names in OPTIONS.items() if name in names]
+        if not any(Path(file).suffix.lower() in able for file in write):
+            raise UsageError(
+                f"The option --{name} needs a file of the kind {listed(able, 'or')}: add --write."
+            )
+    if "reserve" in values:
+        values["reserve"] = _positive(values["reserve"], "--reserve")
+    if "decimals" in values:
+        values["decimals"] = whole_number(values["decimals"], "--decimals")
+        if not 0 <= values["decimals"] <= MOST_DECIMALS:
+            raise UsageError(
+                f"The option --decimals is {values['decimals']}: give a number from 0 to {MOST_DECIMALS}."
+            )
+    if values.get("units", "mm") not in UNITS:
+        raise UsageError(f"The units {values['units']!r} are unknown: choose {listed(UNITS, 'or')}.")
+    return {
+        file: {name: values[name] for name in OPTIONS[Path(file).suffix.lower()] if name in values}
+        for file in write
+    }
+
+
+def _positive(text: str, option: str) -> float:
+    """Return an option's value as a positive finite number; raise UsageError if it is none."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not 0 < value < math.inf:
+        raise UsageError(f"The option {option} needs a positive finite number, and {text!r} is none.")
+    return value
 
 
 def check_place(file: str) -> None:

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from osculant.primitives import PRIMITIVES
+from osculant.cas.errors import DomainError
+from osculant.primitives import choose
 from osculant.tolerances import checked_tolerance
 
 if TYPE_CHECKING:
@@ -21,15 +22,23 @@ ROUNDING = 1e-12
 
 @dataclass(frozen=True)
 class Complexity:
-    """N(ε) = C ε^{−1/order} + c₁ ε^{1/order} + …, C and c₁ summed over the stretches between split points.
+    """N(ε) = C ε^{−1/order} + c₁ ε^{1/order} + …, with C and c₁ of the whole curve.
 
-    ``constants`` are the C of the stretches to ``digits`` digits (estimates by quadrature that
-    converges doubly exponentially); a stretch whose curve is the primitive itself has C = 0 and takes
-    ``least`` pieces.  ``next_constants`` are the c₁ of the stretches, estimates too, if they were asked for.
+    ``constants`` are the C of the stretches between split points to ``digits`` digits (estimates by
+    quadrature that converges doubly exponentially); a stretch whose curve is the primitive itself has C = 0
+    and takes ``least`` pieces.  ``next_constants`` are the c₁ of the stretches, estimates too, if they were
+    asked for.
+
+    In the metric "hausdorff" every piece has the error ε, ``order`` p is that of a short arc's error, and C
+    is the sum (3.17), (3.18).  In "area" the pieces' areas add up to ε, each having the same; ``order`` is
+    then q = p − 1, and C^{q/p}, the content, is the sum (3.25), (3.26).
 
     >>> law = Complexity("conic", "hausdorff", 5, ("1.5", "0"), (1, 2), 15)
     >>> law.constant, round(law.predicted(1e-5), 9), law.predicted_pieces(1e-5)
     (1.5, 15.0, 17)
+    >>> halves = Complexity("conic", "area", 5, ("0.7", "0.7"), (1, 1), 15)
+    >>> round(halves.constant / 0.7, 9) == round(2 ** (6 / 5), 9), halves.predicted_pieces(1e-5)
+    (True, 18)
     """
 
     primitive: str
@@ -43,11 +52,38 @@ class Complexity:
     @property
     def constant(self) -> float:
         """The leading constant C of the whole curve."""
-        return math.fsum(float(c) for c in self.constants)
+        return float(math.fsum(self._contents) ** self._power)
+
+    @property
+    def _power(self) -> float:
+        """p/q: the power of the content that C is."""
+        return (self.order + 1) / self.order if self.metric == "area" else 1.0
+
+    @property
+    def _contents(self) -> list[float]:
+        """What adds over stretches: pieces with the error ε each take content·ε^{−1/p} of them."""
+        return [float(c) ** (1 / self._power) for c in self.constants]
 
     def predicted(self, tolerance: float) -> float:
         """The real number C ε^{−1/order}; raises ToleranceError unless ε is positive and finite."""
         return float(self.constant * checked_tolerance(tolerance) ** (-1.0 / self.order))
+
+    def predicted_error(self, pieces: int) -> float:
+        """The error of the best spline with that many pieces, to leading order: (C/N)^order.
+
+        The Hausdorff distance, or the whole area: the asymptotic formulas of Fejes Tóth, of McClure and
+        Vitale and of Ludwig for polygons and parabolas (thesis, section 1.3 and Corollary 3.6.5), with the
+        pieces shared among all stretches by their contents.
+
+        Raises DomainError for less than one piece.
+
+        >>> law = Complexity("conic", "hausdorff", 5, ("1.5",), (1,), 15)
+        >>> round(law.predicted_error(15), 12)
+        1e-05
+        """
+        if not pieces >= 1:
+            raise DomainError(f"A spline has at least one piece, not {pieces!r}.")
+        return math.prod([self.constant / pieces] * self.order)  # ∞, not an error, where it overflows
 
     @property
     def next_constant(self) -> float | None:
@@ -63,11 +99,24 @@ class Complexity:
         return self.predicted(tolerance) + self.next_constant * float(tolerance ** (1.0 / self.order))
 
     def predicted_pieces(self, tolerance: float) -> int:
-        """The whole number: rounded up on every stretch, at least what the stretch needs."""
-        scale = checked_tolerance(tolerance) ** (-1.0 / self.order)
+        """The whole number: rounded up on every stretch, at least what the stretch needs.
+
+        In the metric "area" the least n that n pieces of the area ε/n suffice for.
+        """
+        if self.metric != "area":
+            return self._pieces(checked_tolerance(tolerance) ** (-1.0 / self.order))
+        scale = checked_tolerance(tolerance) ** (-1.0 / (self.order + 1))
+        needed, pieces = 1, 0
+        while needed > pieces:  # the pieces needed grow with n, so this ends at the least n from below
+            pieces = needed
+            needed = self._pieces(float(scale * pieces ** (1.0 / (self.order + 1))))
+        return pieces
+
+    def _pieces(self, scale: float) -> int:
+        """The pieces of all stretches, ``scale`` being ε^{−1/p} for the error ε of each."""
         return sum(
-            max(n, math.ceil(float(c) * scale * (1 - ROUNDING)))
-            for c, n in zip(self.constants, self.least, strict=True)
+            max(n, math.ceil(content * scale * (1 - ROUNDING)))
+            for content, n in zip(self._contents, self.least, strict=True)
         )
 
     count = predicted_pieces
@@ -77,21 +126,28 @@ class Complexity:
 
         With c₁ also "next_constant" and "next_constants".
         """
+        from decimal import Decimal, localcontext
 
-        def total(constants: tuple[str, ...]) -> str:
-            from decimal import Decimal
-
-            return str(sum((Decimal(c) for c in constants), Decimal(0)))
+        def total(constants: tuple[str, ...], order: int, degree: int) -> str:
+            """(Σ c^{order/degree})^{degree/order}."""
+            if order == degree:
+                return str(sum((Decimal(c) for c in constants), Decimal(0)))
+            with localcontext() as context:
+                context.prec = self.digits + 10
+                content = sum((Decimal(c) ** (Decimal(order) / degree) for c in constants), Decimal(0))
+                whole = content ** (Decimal(degree) / order)
+                context.prec = self.digits
+                return str(+whole)
 
         data: dict[str, Any] = {
             "primitive": self.primitive,
             "metric": self.metric,
             "order": self.order,
-            "constant": total(self.constants),
+            "constant": total(self.constants, self.order, self.order + (self.metric == "area")),
             "constants": list(self.constants),
         }
         if self.next_constants is not None:
-            data["next_constant"] = total(self.next_constants)
+            data["next_constant"] = total(self.next_constants, self.order, self.order)
             data["next_constants"] = list(self.next_constants)
         return data
 
@@ -101,25 +157,38 @@ DIGITS, DIGITS_OF_NEXT, DIGITS_FOR_SPLINES = 20, 12, 9
 
 
 def complexity_of(
-    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...], next_term: bool = False
+    curve: PlaneCurve,
+    primitive: str,
+    division: Division,
+    least: tuple[int, ...],
+    next_term: bool = False,
+    metric: str = "hausdorff",
 ) -> Complexity:
     """The complexity of a divided curve; ``least`` pieces are needed on each stretch in any case.
 
     Integrated in ball arithmetic; raises UndecidedError if that does not settle, and DomainError if c₁ is
-    asked for and its integral diverges at a special point.
+    asked for in the metric "area", or its integral diverges at a special point.
     """
     from osculant.cas.complexity import complexity_constant
 
+    if next_term and metric != "hausdorff":
+        raise DomainError(f"The second term is not known for the metric {metric!r}: ask without next_term.")
     constants = []
     for stretch in division.stretches:
         if stretch.kind != "generic":
             constants.append("0")
             continue
-        value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high)
+        value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high, metric)
         constants.append(value.str(DIGITS, radius=False))
     following = tuple(_next_constants(curve, primitive, division)) if next_term else None
-    order = PRIMITIVES[primitive].order
-    return Complexity(primitive, "hausdorff", order, tuple(constants), least, DIGITS, following)
+    return Complexity(
+        primitive, metric, _order(primitive, metric), tuple(constants), least, DIGITS, following
+    )
+
+
+def _order(primitive: str, metric: str) -> int:
+    """The order of a spline's error in its number of pieces: areas add, which costs one."""
+    return choose(primitive, metric).order - (metric == "area")
 
 
 def _next_constants(curve: PlaneCurve, primitive: str, division: Division) -> Iterator[str]:
@@ -134,23 +203,31 @@ def _next_constants(curve: PlaneCurve, primitive: str, division: Division) -> It
 
 
 def quick_complexity(
-    curve: PlaneCurve, primitive: str, division: Division, least: tuple[int, ...], scale: float
+    curve: PlaneCurve,
+    primitive: str,
+    division: Division,
+    least: tuple[int, ...],
+    scale: float,
+    metric: str = "hausdorff",
 ) -> Complexity:
     """The same in doubles, to predict a spline's pieces; ``scale`` makes the curve's size about 1."""
     from osculant.cas.complexity import complexity_constant
     from osculant.codegen.jets import compile_jet
     from osculant.kernels.quadrature import predicted
 
-    order = PRIMITIVES[primitive].order
+    fit, order = choose(primitive, metric), _order(primitive, metric)
+    power = fit.order / order  # of the content that C is
+    dimension = 2 if metric == "area" else 1
     jet = compile_jet(curve.coordinates, 5)  # owns the code at its address
     constants = []
     for stretch in division.stretches:
         constant = 0.0
         if stretch.kind == "generic":
-            constant = predicted(PRIMITIVES[primitive].code, jet.address, scale, stretch.a, stretch.b)
-        # N = C ε^{−1/p} has no unit: the constant of the scaled curve belongs to the scaled tolerance
-        constant *= scale ** (-1.0 / order)
+            constant = predicted(fit.code, jet.address, scale, stretch.a, stretch.b) ** power
+        # N = C ε^{−1/order} has no unit: the constant of the scaled curve belongs to the scaled tolerance
+        constant *= scale ** (-dimension / order)
         if math.isnan(constant):  # rounding beside a singular end: balls know better
-            constant = float(complexity_constant(curve.balls, primitive, stretch.low, stretch.high)[0])
+            ends = stretch.low, stretch.high
+            constant = float(complexity_constant(curve.balls, primitive, *ends, metric)[0])
         constants.append(repr(constant))
-    return Complexity(primitive, "hausdorff", order, tuple(constants), least, DIGITS_FOR_SPLINES)
+    return Complexity(primitive, metric, order, tuple(constants), least, DIGITS_FOR_SPLINES)

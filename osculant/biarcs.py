@@ -71,6 +71,11 @@ class Biarc:
         first, last = (_length(chord, k) for chord, k in zip(chords, self.curvatures))
         return first, last
 
+    @property
+    def numbers(self) -> int:
+        """How many numbers store it if its start is known: those of its arcs, or of the one arc it is."""
+        return 3 if self.kind == "arc" else sum(arc.numbers for arc in self.arcs)
+
     @cached_property
     def share(self) -> float:
         """The first arc's part of the whole length."""

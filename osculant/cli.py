@@ -11,7 +11,6 @@ import shlex
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
-from time import perf_counter
 from typing import Annotated
 
 import typer
@@ -20,23 +19,22 @@ from osculant import __version__
 from osculant.arguments import (
     AsJson,
     Commands,
+    Formula,
     FormulaCommand,
+    High,
+    Low,
     UsageError,
-    both_ends,
-    check_files,
     whole_number,
 )
 from osculant.cas.errors import OsculantError
+from osculant.cli_approximate import approximate, complexity
 from osculant.cli_germ import GermCommand, germ
 from osculant.cli_verify import verify
 from osculant.report import (
     Waiting,
     invariants_data,
-    print_complexity,
     print_invariants,
     print_json,
-    print_spline,
-    print_table,
     print_values,
     printable,
     values_data,
@@ -56,27 +54,6 @@ app = typer.Typer(
     epilog="Formulas are written like t*cos(t), 2^(1/3) or -pi/6; give them in quotation marks.",
 )
 
-Formula = Annotated[
-    str,
-    typer.Argument(
-        metavar="FORMULA", help='The coordinates, such as "t*cos(t), t*sin(t)", or three in space.'
-    ),
-]
-Low = Annotated[str | None, typer.Option("--from", metavar="A", help="First end of the interval, a formula.")]
-High = Annotated[str | None, typer.Option("--to", metavar="B", help="Last end of the interval, a formula.")]
-Primitive = Annotated[
-    str | None,
-    typer.Option(
-        "--with",
-        metavar="conic|parabola|biarc|bihelix",
-        help="The kind of pieces; in the plane conic by default, in space bihelix.",
-    ),
-]
-SplitAt = Annotated[
-    list[str] | None,
-    typer.Option("--split-at", metavar="T", help="A parameter that shall be a knot; repeatable."),
-]
-
 
 def _version(wanted: bool) -> None:
     if wanted:
@@ -95,59 +72,7 @@ def _door(
         print(context.get_help())
 
 
-@app.command(cls=FormulaCommand)
-def approximate(
-    context: typer.Context,
-    formula: Formula,
-    low: Low = None,
-    high: High = None,
-    primitive: Primitive = None,
-    tolerance: Annotated[
-        str, typer.Option("--tolerance", metavar="E", help="The Hausdorff distance allowed.")
-    ] = "1e-6",
-    rule: Annotated[
-        str | None,
-        typer.Option("--rule", metavar="equioscillating|thesis", help="The junctions of bihelices."),
-    ] = None,
-    split_at: SplitAt = None,
-    write: Annotated[
-        list[str] | None,
-        typer.Option("--write", metavar="FILE", help="Write .svg, .json, G-code (.nc) or .dxf; repeatable."),
-    ] = None,
-    plot: Annotated[
-        str | None, typer.Option("--plot", metavar="FILE", help="Draw with matplotlib, to .png, .pdf, ...")
-    ] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Approximate a curve by the spline with the fewest pieces within a tolerance."""
-    low, high = both_ends(low, high)
-    files = [*(write or []), *([] if plot is None else [plot])]
-    check_files(write or [], plot, primitive)
-
-    import osculant
-    from osculant.space_report import print_space_spline
-    from osculant.space_spline import SpaceSpline
-
-    began = perf_counter()
-    with Waiting("approximating") as progress:
-        spline = osculant.approximate(
-            osculant.curve(formula, low, high),
-            primitive,
-            tolerance,  # type: ignore[arg-type]  # text is read there, and refused in a sentence
-            rule=rule,
-            split_at=split_at or (),
-            progress=progress,
-        )
-    seconds = perf_counter() - began
-    for file in write or []:
-        spline.write(file, command=context.obj)
-    if plot is not None:
-        spline.plot(plot)
-    if as_json:
-        print_json(spline.to_json())
-    else:
-        show = print_space_spline if isinstance(spline, SpaceSpline) else print_spline
-        show(spline, seconds, files)  # type: ignore[arg-type]
+app.command(cls=FormulaCommand)(approximate)
 
 
 @app.command(cls=FormulaCommand)
@@ -195,43 +120,7 @@ def invariants(
         show(data, latex)
 
 
-@app.command(cls=FormulaCommand)
-def complexity(
-    formula: Formula,
-    low: Low = None,
-    high: High = None,
-    primitive: Primitive = None,
-    tolerance: Annotated[
-        str | None, typer.Option("--tolerance", metavar="E", help="Predict the pieces for this tolerance.")
-    ] = None,
-    split_at: SplitAt = None,
-    next_term: Annotated[
-        bool, typer.Option("--next-term", help="Also c1 of the second term, C*E^(-1/p) + c1*E^(1/p).")
-    ] = False,
-    as_json: AsJson = False,
-) -> None:
-    """Print how many pieces theory predicts, and its leading constant."""
-    low, high = both_ends(low, high)
-
-    import osculant
-    from osculant.tolerances import checked_tolerance
-
-    allowed = None if tolerance is None else checked_tolerance(tolerance)
-    curve = osculant.curve(formula, low, high)
-    law = osculant.complexity(curve, primitive, split_at=split_at or (), next_term=next_term)
-    if not as_json:
-        print_complexity(curve, law, allowed)
-        return
-    data = {"curve": curve.text, **law.to_json()}
-    if allowed is not None:
-        data |= {
-            "tolerance": allowed,
-            "predicted": law.predicted(allowed),
-            "predicted_pieces": law.predicted_pieces(allowed),
-        }
-        if next_term:
-            data["refined"] = law.refined(allowed)
-    print_json(data)
+app.command(cls=FormulaCommand)(complexity)
 
 
 @app.command(cls=FormulaCommand)
@@ -239,16 +128,20 @@ def tables(
     number: Annotated[
         str,
         typer.Argument(
-            metavar="TABLE", help="The table's number in the thesis: 3.1, 3.3, 4.1, 4.2, 4.3 or 5."
+            metavar="TABLE",
+            help="The table's number in the thesis: 3.1, 3.2, 3.3, 3.4, 4.1, 4.2, 4.3 or 5.",
         ),
     ],
     as_json: AsJson = False,
 ) -> None:
     """Compute a table of the thesis beside what it prints, with a verdict for every cell.
 
-    The numbers of tables 4.1 to 4.3 and of chapter 5 are lost: counts beside theory.
+    In tables 3.2 and 3.4 errors are areas; 3.4 is computed twice, the tolerance being that of each half, as
+    in the thesis, or of the whole curve. The numbers of tables 4.1 to 4.3 and of chapter 5 are lost: counts
+    beside theory.
     """
     from osculant.count_tables import CountTable
+    from osculant.report_tables import print_table
     from osculant.tables import compute
 
     with Waiting(f"computing table {number}") as progress:

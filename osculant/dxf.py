@@ -101,8 +101,7 @@ def dxf(
     elif entities == "polyline":
         _polyline(space, plane, attributes)
     else:
-        largest = max(abs(side) for arc in plane for side in arc.bounding_box())
-        reserve = writing_reserve(spline.tolerance, largest)
+        reserve = spline.reserve
         for arc in plane:
             _arc(space, arc, reserve, attributes)
 

@@ -30,6 +30,16 @@ class Extent:
         """The power of two that makes the curve's size about 1."""
         return 2.0 ** -math.frexp(self.size)[1] if self.size > 0 else 1.0
 
+    def rounding(self, dimension: int = 1) -> float:
+        """One rounding unit of the largest coordinate, as a length (dimension 1) or as an area (2).
+
+        The area is that of a strip so wide along the whole size.
+
+        >>> Extent((0.0, 0.0), 1.0, 2.0).rounding(2) == 2 * math.ulp(1.0)
+        True
+        """
+        return math.ulp(self.largest) * self.size ** (dimension - 1)
+
 
 def extent(curve: PlaneCurve) -> Extent:
     """Sample a curve that is finite on its interval; raises DomainError if doubles cannot hold it.

@@ -10,18 +10,24 @@ from pathlib import Path
 
 from osculant.cas.errors import OsculantError
 
-#: suffixes of G-code, and all that `Spline.write` knows
 GCODE_SUFFIXES = (".nc", ".gcode", ".ngc")
-SUFFIXES = (".svg", ".json", *GCODE_SUFFIXES, ".dxf")
+#: what `Spline.write` can be told about each kind of file, by suffix
+OPTIONS = {
+    ".svg": ("reserve",),
+    ".json": (),
+    **dict.fromkeys(GCODE_SUFFIXES, ("decimals", "reserve", "units")),
+    ".dxf": ("units",),
+}
+SUFFIXES = tuple(OPTIONS)
 
 
-def listed(words: Sequence[str]) -> str:
-    """The words with commas and an "and".
+def listed(words: Sequence[str], last: str = "and") -> str:
+    """The words with commas and, before the last of several, an "and" or so.
 
-    >>> listed([".a", ".b", ".c"])
-    '.a, .b and .c'
+    >>> listed([".a", ".b", ".c"]), listed(["mm", "inch"], "or"), listed([".a"])
+    ('.a, .b and .c', 'mm or inch', '.a')
     """
-    return f"{', '.join(words[:-1])} and {words[-1]}"
+    return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:

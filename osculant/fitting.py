@@ -1,267 +1,170 @@
-"""From stretches to pieces: feeds the kernels and turns their tables into `Piece` objects."""
+"""From stretches to pieces: the fewest for a tolerance, for an area in all, or the best of a given number."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from osculant.biarcs import Biarc
+from osculant.allocation import CHECKED_PIECES, check_least, given_pieces, may_be_less, within
+from osculant.arcs import Arcs, Coordinates
 from osculant.cas.errors import UndecidedError
-from osculant.kernels import bitangent, greedy, scan
-from osculant.kernels.curve import JET_SIZE, Place, sample_many
+from osculant.circuits import Circuit
+from osculant.exact_arcs import ExactArcs, Segments
 from osculant.kernels.jit import announce
-from osculant.pieces import Piece, classify
-from osculant.primitives import PRIMITIVES
-from osculant.stretches import Division, Frame, Stretch
+from osculant.runs import share_of, whole_error
 from osculant.tolerances import window
+from osculant.unsplit import UnsplitArcs
 
 if TYPE_CHECKING:
+    from osculant.biarcs import Biarc
     from osculant.extent import Extent
+    from osculant.pieces import Piece
     from osculant.plane import PlaneCurve
+    from osculant.primitives import Fit
+    from osculant.runs import Progress, Run
+    from osculant.stretches import Division, Stretch
 
-#: rounding units of the largest coordinate that positions may be wrong by
-NOISE_ULPS = 4
-#: pieces per call of the kernel
-CHUNK = 4096
-#: more pieces than this are not made
-MOST_PIECES = 5_000_000
-#: panels and nodes of the quadrature of affine length along an exact arc
-PANELS, NODES = 64, 8
-
-
-class Job(NamedTuple):
-    """The arguments of `kernels.greedy.spline` but for its table."""
-
-    primitive: int
-    address: int
-    place: Place
-    a: float
-    start: tuple[float, float, float, float]
-    stop: float
-    last: tuple[float, float, float, float]
-    low: float
-    high: float
-    length: float
+#: rounds of the search for the number of pieces of an area
+ROUNDS = 200
+#: tolerances are looked at so much above, in parts of them, for a closed curve with one piece less
+NEAR = 1e-5
 
 
 class Fitting:
-    """One approximation: a divided curve, a primitive and a tolerance, in the kernels' local coordinates."""
+    """A divided curve, ready to be approximated by one primitive.
 
-    def __init__(
-        self, curve: PlaneCurve, primitive: str, tolerance: float, division: Division, size: Extent
-    ) -> None:
+    ``certain`` turns False where the fewest pieces found may not be the fewest there are: a piece ended,
+    short of the tolerance, where no longer arc had a proper one, or rounding may have cost one.
+
+    A closed curve without split points may begin anywhere: ``parts`` and ``division`` then change to where it
+    had best begin, and ``gap`` tells by what part of itself the error might be smaller from elsewhere.
+    """
+
+    def __init__(self, curve: PlaneCurve, primitive: str, fit: Fit, division: Division, size: Extent) -> None:
         announce()
-        self.curve, self.primitive, self.tolerance = curve, primitive, tolerance
-        self.division = division
-        self.origin, self.scale = size.origin, size.scale
-        self.noise = NOISE_ULPS * math.ulp(size.largest) * size.scale
-        self.window = window(tolerance, size.largest)
-        #: how many pieces too many one piece may be, its error being anywhere in the window
-        self.slack = (1 - self.window[0] / tolerance) / PRIMITIVES[primitive].order
-        #: whether a piece ended where no longer arc had a proper conic or parabola, short of the tolerance
-        self.limited = False
+        self.primitive, self.fit, self.division, self.size = primitive, fit, division, size
+        self.coordinates = Coordinates(curve, size)
+        self.parts = [self.part(stretch) for stretch in division.stretches]
+        self.certain = True
+        self.circuit = None
+        self.gap: float | None = None
+        if division.free and division.stretches[0].kind == "generic":
+            self.circuit = Circuit(self.coordinates, fit, division)
 
-    def _jets(self, times: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-        out = np.empty((len(times), JET_SIZE))
-        sample_many(self.curve.compiled.address, times, out)
-        return out
-
-    def pieces(self, stretch: Stretch, progress: Callable[[float], None] | None) -> list[Piece | Biarc]:
-        """The pieces of one stretch; errors of inner pieces within the window of the tolerance."""
+    def part(self, stretch: Stretch) -> Arcs | Segments:
+        """A stretch with the way to fit pieces to it."""
         if stretch.kind == "segment":
-            return [Piece.segment((stretch.a, stretch.b), stretch.start.point, stretch.end.point)]
-        if stretch.kind == "exact" and self.primitive == "biarc":
-            return self._circle_pieces(stretch, progress)
+            return Segments(self.coordinates, self.fit, stretch)
         if stretch.kind == "exact":
-            return self._exact_pieces(stretch, progress)
-        return self._greedy_pieces(stretch, progress)
+            return ExactArcs(self.coordinates, self.fit, stretch, self.primitive, self.division.proved)
+        if self.division.unsplit:
+            return UnsplitArcs(self.coordinates, self.fit, stretch, self.division.unsplit)
+        return Arcs(self.coordinates, self.fit, stretch)
 
-    def _place(self, stretch: Stretch) -> Place:
-        return (*self.origin, self.scale, stretch.bend, self.noise)
+    def within(self, tolerance: float, progress: Progress | None = None) -> list[Run]:
+        """The fewest pieces with errors up to the tolerance, stretch by stretch."""
+        low, high = window(tolerance, self.size.rounding(self.fit.dimension))
+        runs, self.certain = [], True
+        for i, part in enumerate(self.parts):
+            run, certain = within(part, low, high, tolerance, share_of(progress, i, len(self.parts)))
+            runs.append(run)
+            self.certain &= certain
+        return self._from_elsewhere(runs, tolerance, lambda count: tolerance)
 
-    def _local(self, frame: Frame, bend: float) -> tuple[float, float, float, float]:
-        (x, y), (tx, ty) = frame.point, frame.tangent
-        return (
-            (x - self.origin[0]) * self.scale,
-            (y - self.origin[1]) * self.scale * bend,
-            tx,
-            ty * bend,
-        )
+    def of_area(self, tolerance: float, progress: Progress | None = None) -> list[Run]:
+        """The least n such that n pieces with areas up to tolerance/n suffice (thesis 3.7), and its pieces.
 
-    def job(self, stretch: Stretch) -> Job:
-        """The kernel's arguments for a stretch from its beginning."""
-        return Job(
-            PRIMITIVES[self.primitive].code,
-            self.curve.compiled.address,
-            self._place(stretch),
-            stretch.a,
-            self._local(stretch.start, stretch.bend),
-            stretch.b,
-            self._local(stretch.end, stretch.bend),
-            self.window[0] * self.scale,
-            self.window[1] * self.scale,
-            (stretch.b - stretch.a) / 8,
-        )
-
-    def _greedy_pieces(
-        self, stretch: Stretch, progress: Callable[[float], None] | None
-    ) -> list[Piece | Biarc]:
-        job = self.job(stretch)
-        pieces: list[Piece | Biarc] = []
-        first, last = self.division.stretches[0].a, self.division.stretches[-1].b
-        table = np.empty((CHUNK, greedy.COLUMNS))
-        while job.a < stretch.b:
-            count, reached, _ = greedy.spline(*job, table)
-            pieces += [self._piece(row, stretch.bend) for row in table[:count]]
-            self.limited |= bool((table[:count, greedy.REASON] == greedy.ENDS_AT_LIMIT).any())
+        The number at one n is a lower bound of all larger solutions: going on with it finds the least.
+        """
+        low, high = window(tolerance, self.size.rounding(2))
+        count = len(self.parts)
+        while (found := self._at_least(high / count)) > count:
+            count = found
+        for _ in range(ROUNDS):
+            runs = [part.greedy(low / count, high / count) for part in self.parts]
+            found = sum(map(len, runs))
             if progress is not None:
-                progress((reached - first) / (last - first))
-            if count < CHUNK and reached < stretch.b:
-                raise UndecidedError(
-                    f"No {self.primitive} within {self.tolerance:g} was found for the curve after "
-                    f"t = {reached:.15g}, where double numbers cannot follow it: choose a split point there, "
-                    "or another interval."
-                )
-            if len(pieces) > MOST_PIECES:
-                raise UndecidedError(
-                    f"More than {MOST_PIECES} pieces are needed: choose a larger tolerance "
-                    "or a shorter interval."
-                )
-            start = greedy.frame((job.address, job.place, np.empty(JET_SIZE)), reached)
-            job = job._replace(a=reached, start=start, length=table[count - 1, 1] - table[count - 1, 0])
-        return pieces
-
-    def _piece(self, row: np.ndarray[Any, Any], bend: float) -> Piece | Biarc:
-        """A row of the kernel's table (`greedy.record`) in the user's coordinates."""
-        if self.primitive == "biarc":
-            return self._biarc(row, bend)
-        a, b, q, error, _, x0, y0, tx, ty, x2, y2, w, reach, _, _ = (float(v) for v in row)
-        kind = classify(w)
-        if self.primitive == "parabola":
-            kind, w = "parabola", 1.0
-        back = 1.0 / self.scale
-        start, end = self._user(x0, y0, bend), self._user(x2, y2, bend)
-        if q == 0:
-            return Piece.segment((a, b), start, end, error * back)
-        reach *= back
-        middle = (w * start[0] + reach * tx, w * start[1] + reach * ty * bend)
-        return Piece(kind, (a, b), start, end, middle, w, error * back)
-
-    def _user(self, x: float, y: float, bend: float) -> tuple[float, float]:
-        back = 1.0 / self.scale
-        return x * back + self.origin[0], y * back * bend + self.origin[1]
-
-    def _biarc(self, row: np.ndarray[Any, Any], bend: float) -> Biarc:
-        a, b, _, error, _, x0, y0, tx, ty, x2, y2, x1, y1, *bends = (float(v) for v in row)
-        chord = math.hypot(x1 - x0, y1 - y0)
-        dx, dy = (x1 - x0) / chord, (y1 - y0) / chord
-        dot, cross = tx * dx + ty * dy, tx * dy - ty * dx
-        return Biarc(
-            "biarc",
-            (a, b),
-            self._user(x0, y0, bend),
-            self._user(x1, y1, bend),
-            self._user(x2, y2, bend),
-            ((tx, ty * bend), (dx * dot - dy * cross, (dy * dot + dx * cross) * bend)),
-            (bends[0] * bend * self.scale, bends[1] * bend * self.scale),
-            error / self.scale,
+                progress(min(1.0, count / found))
+            if found <= count:
+                runs = self._without_window(runs, tolerance)
+                return self._from_elsewhere(runs, tolerance, lambda count: tolerance / count)
+            count = found
+        raise UndecidedError(
+            f"The number of pieces for the area {tolerance:g} did not settle: choose another tolerance."
         )
 
-    def _circle_pieces(
-        self, stretch: Stretch, progress: Callable[[float], None] | None
-    ) -> list[Piece | Biarc]:
-        """The least number of arcs turning less than 2π each, of equal length, of a circle itself."""
-        from osculant.cas.balls import PRECISION, precision
+    def _at_least(self, high: float) -> int:
+        """A quick lower bound of the number of greedy pieces with errors up to ``high``."""
+        return sum(part.at_least(high) for part in self.parts)
 
-        with precision(PRECISION):
-            inside = (stretch.low + (stretch.high - stretch.low) * 0.4871).mid()
-            bend = float(self.curve.balls.jet(inside, 2).curvature.mid())
-        knots = np.array(self._equal_affine_lengths(stretch, 2))
-        jets = self._jets(knots)
-        speeds = np.hypot(jets[:, 1], jets[:, 4])
-        points, tangents = jets[:, [0, 3]], jets[:, [1, 4]] / speeds[:, None]
-        for i, frame in ((0, stretch.start), (-1, stretch.end)):
-            points[i], tangents[i] = frame.point, frame.tangent
-        attained = _off_circles(points, tangents, bend, knots, self._jets)
-        if not attained <= self.tolerance:
-            self.limited = True
-            return self._greedy_pieces(stretch, progress)
-        error = 0.0 if self.division.proved else attained
-        return [
-            Biarc(
-                "arc",
-                (float(knots[i]), float(knots[i + 2])),
-                _pair(points[i]),
-                _pair(points[i + 1]),
-                _pair(points[i + 2]),
-                (_pair(tangents[i]), _pair(tangents[i + 1])),
-                (bend, bend),
-                error,
-            )
-            for i in range(0, len(knots) - 1, 2)
-        ]
+    def _without_window(self, runs: list[Run], tolerance: float) -> list[Run]:
+        """The runs, or those of one piece less if only the window of the search was in their way."""
+        count = sum(map(len, runs)) - 1
+        low, high = (end / count for end in window(tolerance, self.size.rounding(2))) if count else (0.0, 0.0)
+        self.certain = not any(run.limited for run in runs)
+        if count < sum(part.least for part in self.parts):
+            return runs
+        if self._at_least(high) > count:
+            return runs
+        trial = [part.greedy(low, high) for part in self.parts]
+        spare = sum(
+            may_be_less(part, run, low, high, tolerance / count)
+            for part, run in zip(self.parts, trial, strict=True)
+        )
+        if sum(map(len, trial)) - spare > count:
+            return runs
+        if count > CHECKED_PIECES:
+            self.certain = False
+            return runs
+        fewer = given_pieces(self.parts, count)
+        # equal areas are so up to rounding: the largest may be above the mean by less than the window
+        equal = count * low * max(run.error for run in fewer) <= tolerance * high
+        return fewer if whole_error(fewer, 2) <= tolerance and equal else runs
 
-    def _exact_pieces(
-        self, stretch: Stretch, progress: Callable[[float], None] | None
-    ) -> list[Piece | Biarc]:
-        """The least number of arcs turning less than π each, of equal affine length, of a conic itself."""
-        source = (self.curve.compiled.address, self._place(stretch), np.empty(JET_SIZE))
-        space = scan.workspace()
-        knots = self._equal_affine_lengths(stretch)
-        frames = [greedy.frame(source, t) for t in knots[1:-1]]
-        frames = [self._local(stretch.start, stretch.bend), *frames, self._local(stretch.end, stretch.bend)]
-        pieces: list[Piece | Biarc] = []
-        row = np.empty(greedy.COLUMNS)
-        for a, b, start, end in zip(knots, knots[1:], frames, frames[1:]):
-            pencil = bitangent.pencil(start, end, self.noise)
-            q = bitangent.through(bitangent.view(pencil, source, a + 0.4871 * (b - a)))
-            attained = scan.measure(pencil, q, source, a, b, scan.GRID, space) / self.scale
-            if not attained <= self.tolerance:  # a bend too sharp for the arc's doubles: search instead
-                self.limited = True
-                return self._greedy_pieces(stretch, progress)
-            error = 0.0 if self.division.proved else attained * self.scale
-            greedy.record(PRIMITIVES[self.primitive].code, row, a, b, q, error, 0, start, end, self.noise)
-            pieces.append(self._piece(row, stretch.bend))
-        return pieces
+    def of_number(self, count: int) -> list[Run]:
+        """The pieces, ``count`` in all, with the least greatest error."""
+        if self.circuit is not None:
+            check_least(self.parts, count)
+            start = self.circuit.best_start(count)
+            self._begin_at(start.at)
+            self.gap = start.gap
+        return given_pieces(self.parts, count)
 
-    def _equal_affine_lengths(self, stretch: Stretch, parts: int = 1) -> list[float]:
-        """Knots of the arcs of an exact conic, each in so many parts: it turns by π over r = π/√k."""
-        from osculant.cas.balls import PRECISION, precision
+    def _begin_at(self, start: float) -> None:
+        """Let a closed curve begin there."""
+        assert self.circuit is not None
+        part = self.circuit.arcs_from(start)
+        self.parts, self.division = [part], replace(self.division, stretches=(part.stretch,))
 
-        with precision(PRECISION):
-            inside = (stretch.low + (stretch.high - stretch.low) * 0.4871).mid()
-            k = float(self.curve.balls.jet(inside, 4).affine_curvature.mid())
-        nodes, weights = np.polynomial.legendre.leggauss(NODES)
-        edges = np.linspace(stretch.a, stretch.b, PANELS + 1)
-        half = np.diff(edges) / 2
-        times = (edges[:-1] + half)[:, None] + half[:, None] * nodes
-        jets = self._jets(times.ravel())
-        density = np.cbrt(np.abs(jets[:, 1] * jets[:, 5] - jets[:, 2] * jets[:, 4])).reshape(times.shape)
-        lengths = np.concatenate([[0.0], np.cumsum(half * (density @ weights))])
-        turns = lengths[-1] * math.sqrt(max(k, 0.0)) / PRIMITIVES[self.primitive].turning
-        count = (math.floor(turns + 1e-9) + 1) * parts  # a turning of exactly so much is one too much
-        inner = np.interp(np.arange(1, count) * lengths[-1] / count, lengths, edges)
-        return [stretch.a, *map(float, inner), stretch.b]
+    def _from_elsewhere(self, runs: list[Run], tolerance: float, level: Callable[[int], float]) -> list[Run]:
+        """The runs of a closed curve, or fewer pieces from another start, their errors up to level(number).
 
+        From any start the longest pieces are at most one too many, as they pass the knots of the fewest.
+        """
+        if self.circuit is None:
+            return runs
+        while (count := len(runs[0]) - 1) >= max(1, self.parts[0].least):
+            near = level(count) * (1 + NEAR)
+            start, decided = self.circuit.start_within(near, count)
+            if start is None:
+                self.certain &= decided
+                break
+            begun, certain = self.division, self.certain
+            fewer = self._fewer_from(start, level(count), count) or self.of_number(count)
+            if not whole_error(fewer, self.fit.dimension) <= tolerance:
+                self._begin_at(begun.stretches[0].a)
+                self.certain, self.gap = False, NEAR
+                break
+            runs, self.certain, self.gap = fewer, certain, None
+        return runs
 
-def _pair(row: np.ndarray[Any, Any]) -> tuple[float, float]:
-    return float(row[0]), float(row[1])
+    def _fewer_from(self, start: float, level: float, count: int) -> list[Run] | None:
+        """So many pieces within the level from a start, None if they do not suffice."""
+        self._begin_at(start)
+        run, _ = within(self.parts[0], *window(level, self.size.rounding(self.fit.dimension)), level)
+        return [run] if len(run) <= count else None
 
-
-def _off_circles(
-    points: np.ndarray[Any, Any],
-    tangents: np.ndarray[Any, Any],
-    bend: float,
-    knots: np.ndarray[Any, Any],
-    jets_at: Callable[[np.ndarray[Any, Any]], np.ndarray[Any, Any]],
-) -> float:
-    """How far the curve is from the circles with curvature ``bend`` that touch it at the knots."""
-    parts = np.linspace(0.0, 1.0, scan.GRID)
-    times = knots[:-1, None] + np.diff(knots)[:, None] * parts
-    at = jets_at(times.ravel())[:, [0, 3]].reshape(*times.shape, 2) - points[:-1, None]
-    (tx, ty), (x, y) = tangents[:-1, :, None].transpose(1, 0, 2), np.moveaxis(at, -1, 0)
-    twice = 2 * (tx * y - ty * x) - bend * (x * x + y * y)
-    return float(np.abs(twice / (1 + np.sqrt(np.maximum(0.0, 1 - bend * twice)))).max())
+    def pieces(self, runs: list[Run]) -> list[Piece | Biarc]:
+        """The pieces of all stretches, in the user's coordinates."""
+        return [piece for part, run in zip(self.parts, runs, strict=True) for piece in part.pieces(run)]

@@ -28,7 +28,7 @@ from osculant import __version__
 from osculant.cas.errors import DomainError, ToleranceError
 from osculant.helix_pieces import HelixArc
 from osculant.motions import ROUNDING, Arc, Program, chords_needed
-from osculant.tolerances import checked_tolerance, writing_reserve
+from osculant.tolerances import check_reserve, checked_tolerance
 
 if TYPE_CHECKING:
     from osculant.pieces import Piece
@@ -57,8 +57,8 @@ def gcode(
     Args:
         spline: the spline.
         decimals: of all coordinates; by default as many as the reserve needs, at least 4.
-        reserve: how far the written curve may be from the pieces; by default `writing_reserve`, so that the
-            spline's tolerance holds for what is written. Machines with few decimals need a larger one.
+        reserve: how far the written curve may be from the pieces; by default what the tolerance leaves, so
+            that it holds for what is written. Machines with few decimals need a larger one.
         straight_radius: arcs of larger radius are written as chords; by default 100 000 times the larger
             extent of the spline.
         chord_tolerance: for the chords of helical arcs that no `G2` or `G3` can write; by default the
@@ -73,7 +73,8 @@ def gcode(
 
     Raises:
         DomainError: a piece of a conic that is neither circle nor line; impossible decimals, units, feed.
-        ToleranceError: decimals too few for the reserve, or a reserve below half of the 8 rounding units.
+        ToleranceError: decimals too few for the reserve, a reserve below half of the 8 rounding units, or so
+            little left of the tolerance.
 
     >>> from types import SimpleNamespace
     >>> from osculant.pieces import Piece
@@ -98,7 +99,9 @@ def gcode(
     if straight_radius is None:
         straight_radius = STRAIGHT * extent
     chord_tolerance = checked_tolerance(spline.tolerance if chord_tolerance is None else chord_tolerance)
-    reserve, decimals = _digits(spline.tolerance, max(map(abs, corners)), reserve, decimals)
+    largest = max(map(abs, corners))
+    reserve = check_reserve(spline.reserve, largest, False) if reserve is None else reserve
+    decimals = _digits(reserve, largest, decimals)
 
     arcs: list[Piece | HelixArc] = [arc for piece in spline.pieces for arc in piece.arcs]
     program = Program(decimals, arcs[0].start)
@@ -138,27 +141,19 @@ def gcode(
     return "\n".join([*(line for fact in facts for line in _comment(fact)), modes, *program.lines, "M2", ""])
 
 
-def _digits(
-    tolerance: float, largest: float, reserve: float | None, decimals: int | None
-) -> tuple[float, int]:
-    """Return the reserve and the number of decimals."""
-    least = writing_reserve(0.0, largest) / 2
-    if reserve is None:
-        reserve = writing_reserve(tolerance, largest)
-    elif not least <= reserve < math.inf:
-        raise ToleranceError(
-            f"Coordinates of {largest:.3g} cannot be written to within {reserve!r}; allow at least {least!r}."
-        )
+def _digits(reserve: float, largest: float, decimals: int | None) -> int:
+    """Return the number of decimals."""
+    check_reserve(reserve, largest)
     needed = max(0, math.ceil(math.log10(2 * ROUNDING / reserve) - 1e-9))
     if decimals is None:
-        return reserve, max(LEAST_DECIMALS, needed)
+        return max(LEAST_DECIMALS, needed)
     if not needed <= decimals:
         raise ToleranceError(
             f"Rounding to {decimals} decimals moves the path by up to {ROUNDING * 10.0**-decimals:.0e}, more "
             f"than half of the {reserve:.3g} kept for writing: give {needed} decimals, or "
-            f"reserve={2 * ROUNDING * 10.0**-decimals:.0e}."
+            f"a reserve of {2 * ROUNDING * 10.0**-decimals:.0e}."
         )
-    return reserve, decimals
+    return decimals
 
 
 def _circle(arc: Piece) -> Arc:

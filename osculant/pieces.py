@@ -129,6 +129,15 @@ class Piece:
         """The part of the interval that belongs to the first of `arcs`."""
         return 1.0
 
+    @property
+    def numbers(self) -> int:
+        """How many numbers store it if its start is known: end, bulge of an arc, control point, weight.
+
+        >>> Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 4.0)).numbers
+        2
+        """
+        return {"segment": 2, "arc": 3, "parabola": 4}.get(self.kind, 5)
+
     @cached_property
     def legs(self) -> tuple[Point, Point, Point]:
         """The vectors A = M − wP₀, B = wP₂ − M and C = P₂ − P₀, each rounded once from the exact value."""

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import math
 import sys
 from collections.abc import Sequence
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
@@ -17,8 +19,7 @@ if TYPE_CHECKING:
     from osculant.formula_curve import FormulaCurve
     from osculant.plane import PlaneCurve
     from osculant.space import SpaceCurve
-    from osculant.spline import Spline
-    from osculant.tables import ComputedTable
+    from osculant.spline_facts import SplineFacts
 
 #: seconds before a progress bar appears
 PATIENCE = 1.0
@@ -26,6 +27,8 @@ PATIENCE = 1.0
 ENDLESS = 200
 #: split points that are listed
 LISTED = 8
+#: of a spline without the splits that theory wants
+UNSPLIT = "never where only theory wants it: errors are measured, but nothing proves the number minimal"
 
 
 class Waiting:
@@ -78,27 +81,111 @@ def printable(text: str) -> str:
     return text.encode("utf-8", "backslashreplace").decode("utf-8")
 
 
-def print_spline(spline: Spline, seconds: float, files: Sequence[str]) -> None:
-    """Print pieces, predicted pieces, error, time, whether the number is minimal, and split points."""
-    predicted = "unknown: the integral of the theory did not settle"
-    if spline.predicted is not None:
-        predicted = f"{spline.predicted:.6g}, in whole pieces {spline.predicted_pieces}"
-    error_kind = "" if spline.error_kind == "exact" else f" ({spline.error_kind})"
+def print_spline(spline: SplineFacts, seconds: float, files: Sequence[str]) -> None:
+    """Print what was made, how good it is and whether it is the best, one fact a line."""
     rows = [
         ("curve", spline.curve.text),
         ("interval", f"{spline.knots[0]:.10g} to {spline.knots[-1]:.10g}"),
-        ("primitive", spline.primitive),
-        ("pieces", str(len(spline))),
-        ("predicted", predicted),
-        ("tolerance", f"{spline.tolerance:g}"),
-        ("error", f"{spline.error:.7g}{error_kind}"),
-        ("minimal", spline.minimal),
+        *_choice(spline),
+        *_size(spline),
+        *_error(spline),
+        ("minimal", f"{spline.minimal}{' (the error)' if spline.given == 'pieces' else ''}"),
+        *_closing(spline),
         ("split points", _listed(spline.splits)),
+        *([("split", UNSPLIT)] if spline.split == "never" else []),
         *([("undecided", _listed(spline.undecided))] if spline.undecided else []),
         ("time", f"{seconds:.3g} s"),
         *(("written", printable(file)) for file in files),
     ]
-    _print_rows(rows)
+    print_rows(rows)
+
+
+def _choice(spline: SplineFacts) -> list[tuple[str, str]]:
+    """The primitive, and what else was chosen if it is not the usual; of bihelices the rule in any case."""
+    from osculant.primitives import METRICS, PRIMITIVES, first_rule
+
+    rows = [("primitive", spline.primitive)]
+    if spline.choice is not None:
+        best = (
+            "it takes the fewest numbers to store" if len(spline.choice) > 1 else "there is no other in space"
+        )
+        rows = [("primitive", f"{spline.primitive}, the best: {best}")]
+        rows += [(f"  {name}", text) for name, _, text in (other.partition(": ") for other in spline.choice)]
+    if spline.metric != METRICS[0]:
+        rows.append(("metric", spline.metric))
+    usual = first_rule(spline.primitive, spline.metric) if spline.primitive in PRIMITIVES else None
+    if spline.rule not in (None, usual):
+        rows.append(("rule", str(spline.rule)))
+    return rows
+
+
+def _size(spline: SplineFacts) -> list[tuple[str, str]]:
+    """The number of pieces and the tolerance, of which one was given, and what theory says of the other."""
+    unknown = "unknown: the integral of the theory did not settle"
+    if spline.given == "pieces":
+        error = spline.predicted_error
+        theory = unknown if error is None else f"{error:.6g}"
+        return [("pieces", f"{len(spline)} (given)"), ("predicted error", theory)]
+    theory = unknown
+    if spline.predicted is not None:
+        theory = f"{spline.predicted:.6g}, in whole pieces {spline.predicted_pieces}"
+    return [
+        ("pieces", str(len(spline))),
+        ("predicted", theory),
+        ("tolerance", f"{spline.tolerance:g}"),
+    ]
+
+
+def _error(spline: SplineFacts) -> list[tuple[str, str]]:
+    """The error, of areas that of the largest piece too, and what was proved of it."""
+    kind = "" if spline.error_kind == "exact" else f" ({spline.error_kind})"
+    if spline.metric == "area":
+        kind = f", the sum of the pieces' areas{kind}"
+    proof = spline.certificate
+    if proof is None:
+        rows = [("error", f"{spline.error:.7g}{kind}")]
+    elif math.isinf(proof.upper):
+        rows = [
+            ("error", f"{spline.error:.7g}{kind}"),
+            ("certified", f"at least {_rounded(proof.lower, ROUND_FLOOR)}; no upper bound was proved"),
+        ]
+    else:
+        verdict = "within the tolerance" if proof.within else "not proved to be within the tolerance"
+        if spline.given == "pieces":
+            verdict = "proved"
+        rows = [
+            ("error", f"{_rounded(proof.upper, ROUND_CEILING)}{kind}"),
+            (
+                "certified",
+                f"at least {_rounded(proof.lower, ROUND_FLOOR)}, "
+                f"at most {_rounded(proof.upper, ROUND_CEILING)}: {verdict}",
+            ),
+        ]
+    if spline.metric == "area":
+        rows.append(("largest piece", f"{max(spline.errors):.7g}"))
+    return rows
+
+
+def _rounded(bound: float, direction: str) -> str:
+    """A bound to ten digits that is still one.
+
+    >>> _rounded(1 / 3, ROUND_CEILING), _rounded(1 / 3, ROUND_FLOOR)
+    ('0.3333333334', '0.3333333333')
+    """
+    return f"{float(Context(prec=10, rounding=direction).create_decimal(bound)):.10g}"
+
+
+def _closing(spline: SplineFacts) -> list[tuple[str, str]]:
+    """Whether the ends are joined and, where any start would do, how good this one is."""
+    if not spline.closed:
+        return []
+    rows = [("closed", "yes")]
+    if spline.gap is not None:
+        best = "no other start has a smaller error"
+        if spline.gap > 0:
+            best = f"from another start the error may be smaller, by at most {spline.gap:.2g} of it"
+        rows.append(("start", f"t = {spline.knots[0]:.10g}: {best}"))
+    return rows
 
 
 def _listed(values: Sequence[float]) -> str:
@@ -107,17 +194,24 @@ def _listed(values: Sequence[float]) -> str:
     return shown + more if values else "none"
 
 
-def print_complexity(curve: FormulaCurve, law: Complexity, tolerance: float | None) -> None:
-    """Print the leading constant, the order, and the pieces predicted for a tolerance."""
+def print_complexity(
+    curve: FormulaCurve, law: Complexity, tolerance: float | None, pieces: int | None
+) -> None:
+    """Print the law with its constant, the pieces predicted for a tolerance, and the error for a number."""
     constants = law.to_json()
     rows = [
         ("curve", curve.text),
         ("primitive", law.primitive),
+        *([("metric", law.metric)] if law.metric != "hausdorff" else []),
         ("pieces", f"C*tolerance^(-1/{law.order})"),
         ("C", constants["constant"]),
     ]
     if len(law.constants) > 1:
-        rows += [(f"  stretch {place}", value) for place, value in enumerate(law.constants, 1)]
+        power = f"^({law.order}/{law.order + 1})" if law.metric == "area" else ""
+        terms = " + ".join(f"C{place}{power}" for place in (1, 2))
+        more = " + ..." if len(law.constants) > 2 else ""
+        rows.append(("stretches", f"{len(law.constants)} between split points: C{power} = {terms}{more}"))
+        rows += [(f"  C{place}", value) for place, value in enumerate(law.constants, 1)]
     if law.next_constant is not None:
         rows += [("next term", f"c1*tolerance^(1/{law.order})"), ("c1", f"{law.next_constant:.12g}")]
     if tolerance is not None:
@@ -127,7 +221,12 @@ def print_complexity(curve: FormulaCurve, law: Complexity, tolerance: float | No
             *([("both terms", f"{law.refined(tolerance):.10g}")] if law.next_constant is not None else []),
             ("whole pieces", str(law.predicted_pieces(tolerance))),
         ]
-    _print_rows(rows)
+    if pieces is not None:
+        rows += [
+            ("given pieces", str(pieces)),
+            ("predicted error", f"{law.predicted_error(pieces):.10g}"),
+        ]
+    print_rows(rows)
 
 
 def invariants_data(curve: PlaneCurve) -> dict[str, Any]:
@@ -174,7 +273,7 @@ def print_invariants(data: dict[str, Any], latex: bool) -> None:
         for row in data["invariants"]:
             print(f"{row['latex_symbol']} = {row['latex']}")
     else:
-        _print_rows([(row["title"], f"{row['symbol']} = {row['text']}") for row in data["invariants"]])
+        print_rows([(row["title"], f"{row['symbol']} = {row['text']}") for row in data["invariants"]])
     if any(row["over_jets"] for row in data["invariants"]):
         print(
             "x1 ... x5, y1 ... y5 are the derivatives of the coordinates, where a formula would be too long."
@@ -192,7 +291,7 @@ def print_values(data: dict[str, Any], latex: bool) -> None:
     if latex:
         print("\n".join(text for _, text in rows))
     else:
-        _print_rows(rows)
+        print_rows(rows)
 
 
 def _all_invariants() -> list[Any]:
@@ -202,37 +301,7 @@ def _all_invariants() -> list[Any]:
     return [*INVARIANTS, *(length for length, _ in LENGTHS)]
 
 
-def print_table(table: ComputedTable) -> None:
-    """Print a table of the thesis: computed beside printed, a verdict for every cell."""
-    from rich.console import Console
-    from rich.table import Table
-
-    print(f"Table {table.printed.number}. {table.printed.caption}: pieces computed and printed\n")
-    shown = Table("primitive", "tolerance", box=None, pad_edge=False, padding=(0, 1))
-    for quantity in ("experiment", "theory"):
-        shown.add_column(quantity, justify="right")
-        shown.add_column("printed", justify="right")
-        shown.add_column("verdict")
-    rows: dict[tuple[str, float], list[str]] = {}
-    for cell in table.cells:  # experiment before theory
-        row = rows.setdefault((cell.primitive, cell.tolerance), [cell.primitive, f"{cell.tolerance:.0e}"])
-        row += [str(cell.computed), str(cell.printed), cell.verdict]
-    for row in rows.values():
-        shown.add_row(*row)
-    width = None if sys.stdout.isatty() else ENDLESS
-    Console(width=width, markup=False, emoji=False, highlight=False).print(shown)
-    for cell in table.cells:
-        if cell.note is not None:
-            print(f"\n{cell.primitive}, {cell.quantity} at {cell.tolerance:.0e}: {cell.note}.")
-    print()
-    _print_rows(
-        [
-            (f"constant ({constant.equation}), {constant.primitive}, {constant.of}", constant.value)
-            for constant in table.constants
-        ]
-    )
-
-
-def _print_rows(rows: Sequence[tuple[str, str]]) -> None:
+def print_rows(rows: Sequence[tuple[str, str]]) -> None:
+    """Print names and texts in two columns."""
     width = max(len(name) for name, _ in rows)
     print("\n".join(f"{name:<{width}}  {text}" for name, text in rows))

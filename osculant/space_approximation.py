@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from osculant.asymptotics import Complexity
-from osculant.cas.errors import DomainError
+from osculant.cas.errors import DomainError, UndecidedError
+from osculant.closing import ends_meet
 from osculant.formula_curve import FormulaCurve
+from osculant.prediction import Prediction
+from osculant.request import requested
 from osculant.space_spline import SpaceSpline
 from osculant.space_stretches import SpaceDivision, check_finite, divide
-from osculant.tolerances import check_floor, checked_tolerance
+from osculant.tolerances import check_floor, reserve
 
 if TYPE_CHECKING:
+    from osculant.runs import Progress
     from osculant.space import SpaceCurve
 
 #: how the junction of a bihelix is chosen; the first is the default
@@ -24,32 +31,42 @@ DIGITS = 20
 def approximate_in_space(
     curve: FormulaCurve,
     primitive: str = "bihelix",
-    tolerance: float = 1e-6,
+    tolerance: float | None = None,
     *,
-    rule: str = RULES[0],
+    pieces: int | None = None,
+    rule: str | None = None,
     metric: str = "hausdorff",
+    closed: bool | None = None,
+    split: str = "theory",
     split_at: Sequence[Any] = (),
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> SpaceSpline:
-    """A tangent-continuous spline of bihelices, pairs of helical arcs, within a tolerance.
+    """A tangent-continuous spline of bihelices (pairs of helical arcs): few for a tolerance, or so many.
 
     Args:
         curve: with its interval.
-        primitive: "bihelix".
-        tolerance: the Hausdorff distance allowed, in the units of the coordinates.
-        rule: "equioscillating" makes the errors on both sides of the junction equal; "thesis" takes the
-            junction of section 4.1.2 and needs one or two pieces more.
+        primitive: "bihelix"; "best" means the same, there being no other in space.
+        tolerance: the Hausdorff distance allowed, in the units of the coordinates; 1e-6 unless ``pieces`` is
+            given.
+        pieces: a number of pieces instead: the least greatest error found, for which all errors between two
+            split points are equal.
+        rule: "equioscillating" (the default) makes the errors on both sides of the junction equal; "thesis"
+            takes the junction of section 4.1.2 and needs one or two pieces more.
         metric: "hausdorff".
-        split_at: parameter values that shall be knots besides cusps, points with κ = 0 and vertices.
+        closed: True if the ends have to meet. They are a knot in any case.
+        split: "theory" has knots at cusps, points with κ = 0 and vertices, "never" not at vertices.
+        split_at: parameter values that shall be knots besides.
         progress: called now and then with the part of the interval done, 0…1.
 
     Returns a `SpaceSpline`. Straight lines, circles and helices become single pieces that are exact, each
     turning by less than 2π; a planar curve becomes a spline of biarcs. The errors are estimates of the
-    two-sided Hausdorff distance, not certificates. The number of pieces is not proved to be the least: the
-    error of a bihelix is monotone in the length of the arc only while it is small.
+    two-sided Hausdorff distance, not certificates. The number of pieces is not proved to be the least, nor
+    the error of a given number: the error of a bihelix is monotone in the length of the arc only while it is
+    small. While it is, a spline of n pieces with the error e is found again for the tolerance e(1 + 1e-9).
 
-    Raises DomainError where the curve is undefined or no space curve, ToleranceError for a tolerance that is
-    not a positive number or lies below the rounding floor, UndecidedError where a cap was reached.
+    Raises DomainError where the curve is undefined or no space curve, for fewer pieces than it takes, for an
+    open curve that is to be closed, or a choice that does not exist; ToleranceError for a tolerance that is
+    not a positive number or lies below the rounding floor; UndecidedError where a cap was reached.
 
     Source: thesis, section 4.5 and what is missing after it, reconstructed.
 
@@ -58,37 +75,56 @@ def approximate_in_space(
     >>> spline = approximate_in_space(helix)
     >>> len(spline), spline.error_kind, spline.minimal, round(spline.pieces[0].arcs[0].torsion, 12)
     (3, 'exact', 'unknown', 0.16)
+    >>> cone = approximate_in_space(SpaceCurve("t*cos(t), t*sin(t), t", "pi/6", "2*pi"), pieces=19)
+    >>> f"{cone.error:.3g}", max(cone.errors) - min(cone.errors) < 1e-9 * cone.error
+    ('9.01e-05', True)
     """
-    curve = _checked(curve, primitive, metric)
+    curve = _checked(curve, "bihelix" if primitive == "best" else primitive, metric)
+    rule = RULES[0] if rule is None else rule
     if rule not in RULES:
         raise DomainError(f"The rule {rule!r} is unknown: choose one of {', '.join(RULES)}.")
-    tolerance = checked_tolerance(tolerance)
+    allowed, count = requested(tolerance, pieces)
     check_finite(curve)
 
     from osculant.space_fitting import SpaceFitting, extent  # these load the kernels
 
     size = extent(curve)
-    check_floor(tolerance, size.largest)
-    division = divide(curve, split_at)
-    fitting = SpaceFitting(curve, rule, tolerance, division, size)
-    pieces, least = [], []
-    for stretch in division.stretches:
-        found = fitting.pieces(stretch, progress)
-        pieces += found
-        least.append(len(found) if stretch.shape in {"exact", "segment"} else 1)
-    certain = not division.undecided and division.proved
-    return SpaceSpline(
+    if count is None:
+        check_floor(allowed, size.rounding, size.largest)
+    is_closed = ends_meet(curve, closed)
+    division = divide(curve, split_at, split)
+    fitting = SpaceFitting(curve, rule, division, size)
+    if count is None:
+        runs = fitting.within(allowed, progress)
+    else:
+        runs = fitting.of_number(count)
+        error = max(run.error for run in runs)
+        if math.isinf(error):
+            raise UndecidedError(
+                f"No spline of {count} bihelices was found for the curve {curve.text}: ask for more pieces."
+            )
+        allowed = error + reserve(error, size.rounding)
+    made = tuple(fitting.pieces(runs))
+    least = tuple(part.least if part.exact else 1 for part in fitting.parts)
+    certain = count is None and not division.undecided and division.proved
+    spline = SpaceSpline(
         curve,
-        primitive,
+        "bihelix",
         rule,
         metric,
-        tolerance,
-        tuple(pieces),
-        "proved" if certain and len(pieces) == len(division.stretches) else "unknown",
+        allowed,
+        made,
+        "proved" if certain and len(made) == len(division.stretches) else "unknown",
         division.undecided,
         division.splits,
-        lambda: _Prediction(_law(curve, division, tuple(least)), tolerance),
+        lambda: Prediction.of(_law(curve, division, least), allowed, len(made)),
+        is_closed,
+        split,
+        "tolerance" if count is None else "pieces",
     )
+    if primitive == "best":
+        spline = replace(spline, choice=(f"bihelix: {len(made)} pieces, {spline.numbers} numbers",))
+    return spline
 
 
 def complexity_in_space(
@@ -115,21 +151,16 @@ def complexity_in_space(
     for stretch in division.stretches:
         least.append(1)
         if stretch.shape == "exact":
-            from osculant.space_fitting import exact_pieces
+            from osculant.exact_helices import Helices
 
-            least[-1] = len(exact_pieces(curve, stretch))
+            least[-1] = Helices(curve, stretch).least
     return _law(curve, division, tuple(least))
 
 
-class _Prediction:
-    """A complexity at one tolerance."""
-
-    def __init__(self, law: Complexity, tolerance: float) -> None:
-        self.predicted = law.predicted(tolerance)
-        self.predicted_pieces = law.predicted_pieces(tolerance)
-
-
 def _law(curve: SpaceCurve, division: SpaceDivision, least: tuple[int, ...]) -> Complexity:
+    from flint import arb
+
+    from osculant.cas.balls import PRECISION, precision
     from osculant.cas.bihelix_law import LAWS, bihelix_constant
 
     constants = []
@@ -137,7 +168,9 @@ def _law(curve: SpaceCurve, division: SpaceDivision, least: tuple[int, ...]) -> 
         if stretch.shape not in LAWS:
             constants.append("0")
             continue
-        value, _ = bihelix_constant(curve.balls, stretch.shape, stretch.low, stretch.high)
+        ends = pairwise([stretch.low, *stretch.passed, stretch.high])
+        with precision(PRECISION):
+            value = sum((bihelix_constant(curve.balls, stretch.shape, *pair)[0] for pair in ends), arb(0))
         constants.append(value.str(DIGITS, radius=False))
     shape = division.stretches[0].shape
     order = LAWS[shape if shape in LAWS else "generic"].order
@@ -156,6 +189,11 @@ def _checked(curve: FormulaCurve, primitive: str, metric: str) -> SpaceCurve:
         raise DomainError(
             f"A curve in space is approximated with bihelix, not {primitive!r}: "
             "choose bihelix, or leave out the third coordinate."
+        )
+    if metric == "area":
+        raise DomainError(
+            f"The metric 'area' is one of plane curves, and {curve.text} has three coordinates: "
+            "choose hausdorff, or leave out the third coordinate."
         )
     if metric != "hausdorff":
         raise DomainError(f"The metric {metric!r} is unknown: choose hausdorff.")

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from osculant.report import print_spline
+from osculant.report import print_rows
 
 if TYPE_CHECKING:
     from osculant.cas.invariants import Invariant
     from osculant.space import SpaceCurve
-    from osculant.space_spline import SpaceSpline
 
 
 def space_invariants_data(curve: SpaceCurve) -> dict[str, Any]:
@@ -45,7 +43,7 @@ def print_space_invariants(data: dict[str, Any], latex: bool) -> None:
         for row in data["invariants"]:
             print(f"{row['latex_symbol']} = {row['latex']}")
     else:
-        _print_rows([(row["title"], f"{row['symbol']} = {row['text']}") for row in data["invariants"]])
+        print_rows([(row["title"], f"{row['symbol']} = {row['text']}") for row in data["invariants"]])
     if any(row["over_jets"] for row in data["invariants"]):
         print(
             "x1 ... x4, y1 ... y4, z1 ... z4 are the derivatives of the coordinates, where a formula would "
@@ -63,13 +61,7 @@ def print_space_values(data: dict[str, Any], latex: bool) -> None:
     if latex:
         print("\n".join(text for _, text in rows))
     else:
-        _print_rows(rows)
-
-
-def print_space_spline(spline: SpaceSpline, seconds: float, files: Sequence[str]) -> None:
-    """Print the rule for junctions, then all that is printed of a plane spline."""
-    print(f"{'rule':<12}  {spline.rule}")
-    print_spline(spline, seconds, files)  # type: ignore[arg-type]  # it has all that is printed
+        print_rows(rows)
 
 
 def _written(value: Any) -> str:
@@ -82,8 +74,3 @@ def _all_invariants() -> list[Invariant]:
     from osculant.cas.space_exact import SPACE_INVARIANTS, SPACE_LENGTHS
 
     return [*SPACE_INVARIANTS, *(length for length, _ in SPACE_LENGTHS)]
-
-
-def _print_rows(rows: Sequence[tuple[str, str]]) -> None:
-    width = max(len(name) for name, _ in rows)
-    print("\n".join(f"{name:<{width}}  {text}" for name, text in rows))

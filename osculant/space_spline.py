@@ -17,6 +17,7 @@ from osculant.cas.errors import DomainError, OsculantError
 from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
 from osculant.helix_pieces import SpacePiece, Vector
 from osculant.spline_facts import CurveText, Prediction, SplineFacts
+from osculant.tolerances import writing_reserve
 
 if TYPE_CHECKING:
     import os
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 
     from osculant.helix_pieces import Floats
 
+#: how many numbers an arc takes, given where it begins
+NUMBERS = {"segment": 3, "arc": 5, "helix": 6}
 #: points on each piece of a plot
 DRAWN_POINTS = 65
 
@@ -38,13 +41,18 @@ class SpaceSpline(SplineFacts):
         primitive: "bihelix".
         rule: how the junctions are chosen, "equioscillating" or "thesis".
         metric: "hausdorff".
-        tolerance: the largest error allowed.
+        tolerance: the largest error allowed; for a given number of pieces, what is sure to be kept.
         pieces: the pieces in order; each starts where the one before ends.
         minimal: "proved" if every stretch between split points is one piece, else "unknown": the error of a
             bihelix is not monotone in the length of the arc.
         undecided: parameters of knots where it could not be decided whether theory demands a split.
         splits: parameters inside the interval where theory, or the user, demanded a knot.
         complexity: called at most once, when `predicted` or `predicted_pieces` is first asked for.
+        closed: whether it returns to where it began, which is a knot.
+        split: "theory", or "never" if vertices did not split.
+        given: what was asked for, "tolerance" or "pieces".
+        gap: None; as of a spline in the plane.
+        choice: why this primitive, if the choice was left to `osculant.approximate`.
 
     >>> from types import SimpleNamespace
     >>> from osculant.helix_pieces import HelixArc
@@ -67,6 +75,11 @@ class SpaceSpline(SplineFacts):
     undecided: tuple[float, ...] = ()
     splits: tuple[float, ...] = ()
     complexity: Callable[[], Prediction] | None = field(default=None, compare=False)
+    closed: bool = False
+    split: str = "theory"
+    given: Literal["tolerance", "pieces"] = "tolerance"
+    gap: float | None = None
+    choice: tuple[str, ...] | None = None
 
     def evaluate(self, t: ArrayLike) -> Floats:
         """Return the spline's points at parameters of the curve.
@@ -132,33 +145,63 @@ class SpaceSpline(SplineFacts):
     def to_json(self) -> dict[str, Any]:
         """Return the spline as plain dictionaries, lists and numbers.
 
-        Keys: "curve" (the formula), "primitive", "rule", "metric", "tolerance", "pieces" (their number),
-        "knots", "error", "error_kind", "errors", "predicted", "predicted_pieces" (null where unknown or not
+        Keys: "curve" (the formula), "primitive", "rule", "closed", "split", "given", "gap", "choice" (null
+        where they do not apply), "metric", "tolerance", "pieces" (their number), "knots", "error",
+        "error_kind", "errors", "predicted", "predicted_pieces", "predicted_error" (null where unknown or not
         finite), "minimal", "undecided", "splits" and "cusps" (parameters), "segments" (the pieces:
         `SpacePiece.to_json`), "certificate" (null: none was asked for).
         """
-        return self._json(self.cusps, {"rule": self.rule})
+        return self._json(self.cusps)
 
-    def write(self, path: str | os.PathLike[str], *, command: str | None = None) -> None:
+    @property
+    def numbers(self) -> int:
+        """How many numbers store it: three for where it begins, and those of each arc from there on.
+
+        A segment takes 3 (its end). An arc of a circle takes 5: the tangent (2) and the direction of the
+        centre (1), which are its frame, the curvature and the length. A helix takes its torsion besides, 6,
+        and a bihelix is two of them, 12. As in the plane, each arc can be drawn by itself.
+        """
+        return 3 + sum(NUMBERS[arc.kind] for piece in self.pieces for arc in piece.arcs)
+
+    @property
+    def reserve(self) -> float:
+        """How far what is written may be from the pieces."""
+        low, high = self.bounding_box()
+        return writing_reserve(self.tolerance, max(map(abs, (*low, *high))))
+
+    def write(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        reserve: float | None = None,
+        decimals: int | None = None,
+        units: Literal["mm", "inch"] | None = None,
+        command: str | None = None,
+    ) -> None:
         """Write the spline to a file, whole or not at all; its suffix says how.
 
         Args:
             path: ".json" for what `to_json` returns, ".nc", ".gcode" or ".ngc" for G-code (`osculant.gcode`),
                 ".dxf" for a polyline of chords (`osculant.dxf`).
+            reserve: how far G-code may be from the pieces, chords aside.
+            decimals: of G-code.
+            units: of G-code and DXF; by default none are written.
             command: the command line that made the spline, recorded in the file.
 
         Raises:
             OsculantError: another suffix, or a file that cannot be written.
+            ToleranceError: a reserve too small for the digits, or decimals too few for the reserve.
         """
         suffix = Path(path).suffix.lower()
         if suffix in GCODE_SUFFIXES:
             from osculant.gcode import gcode
 
-            return write_whole(path, gcode(self, command=command))
+            text = gcode(self, decimals=decimals, reserve=reserve, units=units, command=command)
+            return write_whole(path, text)
         if suffix == ".dxf":
             from osculant.dxf import dxf
 
-            return write_whole(path, dxf(self, command=command))
+            return write_whole(path, dxf(self, units=units, command=command))
         if suffix != ".json":
             raise OsculantError(
                 f"Cannot write {Path(path)}: a spline in space is written as "

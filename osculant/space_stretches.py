@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, UndecidedError
+from osculant.request import check_split
 from osculant.split_points import as_float, cut
 
 if TYPE_CHECKING:
@@ -35,7 +36,8 @@ class SpaceStretch:
     """A part of the interval without special points inside.
 
     ``low``, ``high`` are balls, ``a``, ``b`` their nearest doubles; ``shape`` says whether the curve is a
-    segment there, a circle or helix itself ("exact"), or has constant curvature ("level").
+    segment there, a circle or helix itself ("exact"), or has constant curvature ("level").  ``passed`` are
+    the vertices inside, balls, if they are not to split.
     """
 
     low: Any
@@ -45,6 +47,7 @@ class SpaceStretch:
     start: SpaceFrame
     end: SpaceFrame
     shape: Shape
+    passed: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -76,31 +79,37 @@ def check_finite(curve: SpaceCurve) -> None:
     require_finite(curve.balls, *curve.ends)
 
 
-def divide(curve: SpaceCurve, split_at: Sequence[Any] = ()) -> SpaceDivision:
+def divide(curve: SpaceCurve, split_at: Sequence[Any] = (), split: str = "theory") -> SpaceDivision:
     """Divide the curve at its cusps, where κ = 0 and at its vertices (κ′ = 0), also at the user's points.
 
-    The curve has to be finite: see `check_finite`. Raises DomainError for a split point outside the
-    interval, or if the curve is a single point.
+    With ``split="never"`` not at its vertices. The curve has to be finite: see `check_finite`. Raises
+    DomainError for a split point outside the interval, an unknown word, or if the curve is a single point.
 
     >>> from osculant.space import SpaceCurve
     >>> divide(SpaceCurve("2*cos(t), sin(t), t/5", "1", "4")).splits
     (1.5707963267948966, 3.141592653589793)
+    >>> divide(SpaceCurve("2*cos(t), sin(t), t/5", "1", "4"), split="never").splits
+    ()
     """
     from osculant.cas.balls import PRECISION, constant, precision
     from osculant.cas.space_special import special_points, vanishes
 
+    check_split(split)
     shape, proved = _shape(curve)
     names = ["cusp"]
     names += ["inflection"] if shape != "segment" else []
     names += ["vertex"] if shape == "generic" else []
+    skipped = {"vertex"} if split == "never" else set[str]()
     with precision(PRECISION):
         low, high = (constant(end) for end in curve.ends)
         planar = (
             shape == "generic" and vanishes(curve.balls, "planar", low, high) and curve.exact.planar is True
         )
-        found = special_points(curve.balls, *curve.ends, names, planar)
+        every = special_points(curve.balls, *curve.ends, names, planar)
+        found = [point for point in every if not point.kinds <= skipped]
+        passed = [point.at for point in every if point.kinds <= skipped]
         points, cuts = cut(curve, found, split_at, low, high)
-        stretches = tuple(_stretch(curve, before, after, shape) for before, after in pairwise(cuts))
+        stretches = tuple(_stretch(curve, *ends, shape, passed) for ends in pairwise(cuts))
     return SpaceDivision(
         stretches,
         tuple(as_float(point.at) for point in points),
@@ -127,15 +136,19 @@ def _shape(curve: SpaceCurve) -> tuple[Shape, bool]:
     return "exact", curve.exact.circular_helix is True
 
 
-def _stretch(curve: SpaceCurve, before: SpecialPoint, after: SpecialPoint, shape: Shape) -> SpaceStretch:
+def _stretch(
+    curve: SpaceCurve, before: SpecialPoint, after: SpecialPoint, shape: Shape, passed: Sequence[Any]
+) -> SpaceStretch:
+    a, b = as_float(before.at), as_float(after.at)
     return SpaceStretch(
         before.at,
         after.at,
-        as_float(before.at),
-        as_float(after.at),
+        a,
+        b,
         _frame(curve, before, 1),
         _frame(curve, after, -1),
         shape,
+        tuple(at for at in passed if a < as_float(at) < b),
     )
 
 

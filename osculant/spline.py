@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from osculant import tolerances
 from osculant.biarcs import Biarc
 from osculant.cas.errors import DomainError, OsculantError
 from osculant.chains import Chain
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
+    from osculant.certificate import Certificate
     from osculant.pieces import Floats
 
 __all__ = ["Biarc", "Kind", "Piece", "Spline"]
@@ -37,14 +39,25 @@ class Spline(SplineFacts):
     Attributes:
         curve: the curve approximated.
         primitive: "parabola", "conic" or "biarc".
-        metric: "hausdorff".
-        tolerance: the largest error allowed.
+        metric: "hausdorff", where errors are distances, or "area", where each error is the area between a
+            piece and its arc of the curve (all regions counted positive), and `error` is their sum.
+        tolerance: the largest error allowed; for a given number of pieces, what is sure to be kept.
         pieces: the pieces in order; each starts where the one before ends.
-        minimal: whether no spline of this primitive with a knot at every split has fewer pieces: "proved",
-            "by theory" (no check of its hypotheses beyond the isolation of special points) or "unknown".
+        minimal: whether no spline of this primitive with a knot at every split has fewer pieces (for a given
+            number of pieces: a smaller error): "proved", "by theory" (no check of its hypotheses beyond the
+            isolation of special points) or "unknown". In the metric "area" among those of n pieces with
+            areas of at most tolerance/n each.
         undecided: parameters of knots where it could not be decided whether theory demands a split.
         splits: parameters inside the interval where theory, or the user, demanded a knot.
         complexity: called at most once, when `predicted` or `predicted_pieces` is first asked for.
+        rule: how a piece is chosen among those tangent at both ends, as `osculant.approximate` names it.
+        closed: whether it returns to where it began.
+        split: "theory", or "never" if no knot was demanded where theory wants one to prove that the number
+            is minimal.
+        given: what was asked for, "tolerance" or "pieces".
+        gap: of a closed curve that may begin anywhere, by what part of itself the error might be smaller from
+            another start; None where the start does not matter.
+        choice: what each primitive takes, if the choice was left to `osculant.approximate`.
 
     >>> pieces = (
     ...     Piece("parabola", (0.0, 1.0), (0.0, 0.0), (1.0, 1.0), (0.5, 0.0), 1.0, 1e-3),
@@ -67,6 +80,51 @@ class Spline(SplineFacts):
     undecided: tuple[float, ...] = ()
     splits: tuple[float, ...] = ()
     complexity: Callable[[], Prediction] | None = field(default=None, compare=False)
+    rule: str | None = None
+    closed: bool = False
+    split: str = "theory"
+    given: Literal["tolerance", "pieces"] = "tolerance"
+    gap: float | None = None
+    choice: tuple[str, ...] | None = None
+    _proofs: list[Certificate] = field(default_factory=list, init=False, compare=False)
+
+    @property
+    def certificate(self) -> Certificate | None:
+        """What `certify` proved; None if it was not called."""
+        return self._proofs[0] if self._proofs else None
+
+    def certify(self, progress: Callable[[float], None] | None = None) -> Certificate:
+        """Enclose the error of every piece in ball arithmetic, as `osculant.certificate` says.
+
+        The certificate is remembered: `certificate` and `to_json` have it, and `error` is its upper bound,
+        with the `error_kind` "certified", if there is one.
+
+        Args:
+            progress: called with the part of the pieces done, 0…1.
+
+        Raises:
+            DomainError: the metric "area", for which there are no certificates; a curve without formula.
+
+        >>> import osculant as osc
+        >>> spline = osc.approximate(osc.curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic", 1e-4)
+        >>> proof = spline.certify()
+        >>> proof.within, spline.error_kind, proof.upper < (1 + 1e-5) * proof.lower
+        (True, 'certified', True)
+        """
+        if not self._proofs:
+            from osculant.certificate import certify
+            from osculant.plane import PlaneCurve
+
+            if self.metric != "hausdorff":
+                raise DomainError(
+                    f"Errors in the metric {self.metric!r} cannot be certified: choose 'hausdorff'."
+                )
+            if not isinstance(self.curve, PlaneCurve):
+                raise DomainError(
+                    f"Of {self.curve.text} only the text is known: certify what approximate returns."
+                )
+            self._proofs.append(certify(self.curve, self.pieces, self.tolerance, progress))
+        return self._proofs[0]
 
     @cached_property
     def _chain(self) -> Chain:
@@ -136,17 +194,43 @@ class Spline(SplineFacts):
     def to_json(self) -> dict[str, Any]:
         """Return the spline as plain dictionaries, lists and numbers.
 
-        Keys: "primitive", "metric", "tolerance", "pieces" (their number), "knots", "error", "error_kind",
-        "errors", "predicted", "predicted_pieces" (null where unknown or not finite), "minimal", "undecided",
+        Keys: "primitive", "rule", "closed", "split", "given", "gap", "choice" (null where they do not apply),
+        "metric", "tolerance", "pieces" (their number), "knots", "error", "error_kind", "errors", "predicted",
+        "predicted_pieces", "predicted_error" (null where unknown or not finite), "minimal", "undecided",
         "segments" (the pieces: "kind", "interval", "points" with null for a control point at infinity,
         "weight", "error", and "middle", the homogeneous control point; of biarcs what `Biarc.to_json` says),
-        "certificate" (null: none was asked
-        for); further "curve" (the formula), "splits" and "cusps" (parameters).
+        "certificate" (`Certificate.to_json`; null: none was asked for); further "curve" (the formula),
+        "splits" and "cusps" (parameters).
         """
-        return self._json(self.cusps, {})
+        return self._json(self.cusps)
+
+    @property
+    def numbers(self) -> int:
+        """How many numbers store it: two for where it begins, and those of each piece from there on.
+
+        A segment takes 2, an arc of a circle 3 (its end and a bulge), a parabola 4 (two control points), a
+        conic 5 (a weight besides), a biarc 6.
+        """
+        return 2 + sum(piece.numbers for piece in self.pieces)
+
+    @property
+    def reserve(self) -> float:
+        """How far what is written may be from the pieces: what the tolerance leaves, if it is little."""
+        rounding = math.ulp(max(map(abs, self.bounding_box())))
+        length = 1.0
+        if self.metric == "area":  # of a strip along both curves
+            length = 2 * float(np.hypot(*np.diff(self.sample(_DRAWN_POINTS), axis=0).T).sum())
+        left = max(0.0, self.tolerance - self.error)
+        return min(tolerances.reserve(self.tolerance, rounding * length), left) / length
 
     def write(
-        self, path: str | os.PathLike[str], *, reserve: float | None = None, command: str | None = None
+        self,
+        path: str | os.PathLike[str],
+        *,
+        reserve: float | None = None,
+        decimals: int | None = None,
+        units: Literal["mm", "inch"] | None = None,
+        command: str | None = None,
     ) -> None:
         """Write the spline to a file, whole or not at all; its suffix says how.
 
@@ -155,11 +239,13 @@ class Spline(SplineFacts):
                 G-code (".nc", ".gcode" or ".ngc", `osculant.gcode`) and ".dxf" (`osculant.dxf`).
             reserve: how far what is written may be from the pieces; by default as `osculant.svg` and
                 `osculant.gcode` say. JSON and DXF hold every number exactly.
+            decimals: of G-code.
+            units: of G-code and DXF; by default none are written.
             command: the command line that made the spline, recorded in a picture's description.
 
         Raises:
             OsculantError: an unknown suffix, or a file that cannot be written.
-            ToleranceError: a reserve too small for the digits.
+            ToleranceError: a reserve too small for the digits, or decimals too few for the reserve.
 
         >>> Spline.write(None, "spiral.png")
         Traceback (most recent call last):
@@ -175,11 +261,11 @@ class Spline(SplineFacts):
         elif suffix in GCODE_SUFFIXES:
             from osculant.gcode import gcode
 
-            write_whole(path, gcode(self, reserve=reserve, command=command))
+            write_whole(path, gcode(self, decimals=decimals, reserve=reserve, units=units, command=command))
         elif suffix == ".dxf":
             from osculant.dxf import dxf
 
-            write_whole(path, dxf(self, command=command))
+            write_whole(path, dxf(self, units=units, command=command))
         elif suffix == ".json":
             write_whole(path, json.dumps(self.to_json(), indent=1, allow_nan=False) + "\n")
         else:

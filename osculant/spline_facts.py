@@ -44,12 +44,36 @@ class Prediction(Protocol):
     def predicted_pieces(self) -> int:
         """The sum of its ceilings over the stretches."""
 
+    @property
+    def predicted_error(self) -> float:
+        """The error of so many pieces as the spline has, by the same formula."""
+
+
+class Proof(Protocol):
+    """A certificate as far as a spline's facts need it."""
+
+    @property
+    def lower(self) -> float:
+        """What the error is at least."""
+
+    @property
+    def upper(self) -> float:
+        """What the error is at most, infinite if nothing was proved."""
+
+    @property
+    def within(self) -> bool:
+        """Whether it is proved that the error is within the tolerance."""
+
+    def to_json(self) -> dict[str, Any]:
+        """The certificate as plain data."""
+
 
 class SplineFacts:
     """The facts of a chain of pieces; `osculant.spline` and `osculant.space_spline` add the geometry."""
 
     curve: CurveText
     primitive: str
+    rule: str | None
     metric: str
     tolerance: float
     minimal: str
@@ -57,6 +81,11 @@ class SplineFacts:
     splits: tuple[float, ...]
     pieces: Sequence[PieceFacts]
     complexity: Callable[[], Prediction] | None
+    closed: bool = False
+    split: str = "theory"
+    given: Literal["tolerance", "pieces"] = "tolerance"
+    gap: float | None = None
+    choice: tuple[str, ...] | None = None
 
     def __len__(self) -> int:
         """Return the number of pieces."""
@@ -79,13 +108,25 @@ class SplineFacts:
         return [float(piece.error) for piece in self.pieces]
 
     @property
-    def error(self) -> float:
-        """The largest error of a piece."""
-        return max(self.errors)
+    def certificate(self) -> Proof | None:
+        """The proved bounds of the error; None if none was asked for, as here."""
+        return None
 
     @property
-    def error_kind(self) -> Literal["estimate", "exact"]:
-        """The word "exact" if every piece is a part of the curve itself, else "estimate"."""
+    def error(self) -> float:
+        """The largest error of a piece, in the metric "area" the sum; certified, the proved upper bound."""
+        if self.certificate is not None and math.isfinite(self.certificate.upper):
+            return self.certificate.upper
+        return math.fsum(self.errors) if self.metric == "area" else max(self.errors)
+
+    @property
+    def error_kind(self) -> Literal["estimate", "exact", "certified"]:
+        """What `error` is: "certified" if it is a proved upper bound, else an "estimate".
+
+        It is "exact" if every piece is a part of the curve itself, to the rounding of its numbers.
+        """
+        if self.certificate is not None and math.isfinite(self.certificate.upper):
+            return "certified"
         return "estimate" if self.error > 0 else "exact"
 
     @property
@@ -98,6 +139,11 @@ class SplineFacts:
         """The same in whole pieces, rounded up on each stretch; None if that is unknown."""
         return None if self._prediction is None else self._prediction.predicted_pieces
 
+    @property
+    def predicted_error(self) -> float | None:
+        """The error that theory predicts for so many pieces; None if that is unknown."""
+        return None if self._prediction is None else self._prediction.predicted_error
+
     @cached_property
     def _prediction(self) -> Prediction | None:
         if self.complexity is None:
@@ -107,14 +153,19 @@ class SplineFacts:
         except UndecidedError:  # an integral that did not settle is no reason to lose the spline
             return None
 
-    def _json(self, cusps: list[float], own: dict[str, Any]) -> dict[str, Any]:
-        """Plain data of the spline; ``own`` keys come after the primitive."""
+    def _json(self, cusps: list[float]) -> dict[str, Any]:
+        """Plain data of the spline."""
         predicted = self.predicted
         finite = predicted is not None and math.isfinite(predicted)
         return {
             "curve": self.curve.text,
             "primitive": self.primitive,
-            **own,
+            "rule": self.rule,
+            "closed": self.closed,
+            "split": self.split,
+            "given": self.given,
+            "gap": self.gap,
+            "choice": None if self.choice is None else list(self.choice),
             "metric": self.metric,
             "tolerance": float(self.tolerance),
             "pieces": len(self),
@@ -124,10 +175,11 @@ class SplineFacts:
             "errors": self.errors,
             "predicted": predicted if finite else None,
             "predicted_pieces": self.predicted_pieces if finite else None,
+            "predicted_error": self.predicted_error if finite else None,
             "minimal": self.minimal,
             "undecided": list(map(float, self.undecided)),
             "splits": list(map(float, self.splits)),
             "cusps": cusps,
             "segments": [piece.to_json() for piece in self.pieces],
-            "certificate": None,
+            "certificate": None if self.certificate is None else self.certificate.to_json(),
         }

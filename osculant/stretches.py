@@ -9,16 +9,19 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.primitives import PRIMITIVES
-from osculant.split_points import as_float, cut
+from osculant.request import check_split
+from osculant.split_points import as_float, cut, cut_around
 
 if TYPE_CHECKING:
     from osculant.cas.form_zeros import SpecialPoint
+    from osculant.closing import Closing
     from osculant.plane import PlaneCurve
 
 #: derivatives tried for the limit tangent at a cusp
 CUSP_ORDERS = 9
 
 Vector = tuple[float, float]
+Kind = Literal["generic", "segment", "exact"]
 
 
 @dataclass(frozen=True)
@@ -44,21 +47,24 @@ class Stretch:
     start: Frame
     end: Frame
     bend: float
-    kind: Literal["generic", "segment", "exact"]
+    kind: Kind
 
 
 @dataclass(frozen=True)
 class Division:
-    """The stretches of a curve, the inner split points and those of them that were not decided.
+    """The stretches of a curve, the split points between them and those that were not decided.
 
     ``proved`` is False if the curve seems to be a segment or an arc of the primitive, to hundreds of
-    digits, but no symbolic proof was found.
+    digits, but no symbolic proof was found.  ``free`` says that the one stretch of a closed curve may begin
+    anywhere.  ``unsplit`` are the points inside stretches where theory wants a split and none was made.
     """
 
     stretches: tuple[Stretch, ...]
     splits: tuple[float, ...]
     undecided: tuple[float, ...]
     proved: bool
+    free: bool = False
+    unsplit: tuple[float, ...] = ()
 
 
 def check_finite(curve: PlaneCurve) -> None:
@@ -76,37 +82,84 @@ def check_finite(curve: PlaneCurve) -> None:
     require_finite(curve.balls, *curve.ends)
 
 
-def divide(curve: PlaneCurve, primitive: str, split_at: Sequence[Any] = ()) -> Division:
-    """Divide the curve for a spline of the primitive, also at the user's points.
+def divide(
+    curve: PlaneCurve,
+    primitive: str,
+    split_at: Sequence[Any] = (),
+    closing: Closing = "open",
+    split: str = "theory",
+) -> Division:
+    """Divide the curve for a spline of the primitive.
 
-    The curve has to be finite: see `check_finite`.  Raises DomainError for a split point outside the
-    interval, or if the curve is a single point.
+    Args:
+        curve: has to be finite: see `check_finite`.
+        primitive: its special points (`osculant.primitives.Primitive.splits`) are split points besides cusps
+            and inflections.
+        split_at: the user's split points.
+        closing: "smooth" makes the first split point the beginning, and the last stretch end there one
+            period later, where the formula has to go on; without split points the one stretch is the whole
+            interval, and free.  "corner" and "open" keep the ends.
+        split: "never" leaves out the primitive's special points and tells them as ``unsplit`` (beyond the
+            interval where the last stretch is).
+
+    Raises:
+        DomainError: a split point outside the interval (the seam of a closed curve is inside), an unknown
+            word, or a curve that is a single point.
 
     >>> from osculant.plane import PlaneCurve
     >>> divide(PlaneCurve("t, sin(t)", "1", "4"), "conic").splits
     (1.5707963267948966, 3.141592653589793)
+    >>> divide(PlaneCurve("t, sin(t)", "1", "4"), "conic", split="never").unsplit
+    (1.5707963267948966,)
+    >>> eight = divide(PlaneCurve("cos(t), sin(2*t)", 0, "2*pi"), "parabola", [1], "smooth", "never")
+    >>> [(round(s.a, 3), round(s.b, 3)) for s in eight.stretches]
+    [(1.0, 1.571), (1.571, 4.712), (4.712, 7.283)]
     """
     from osculant.cas.balls import PRECISION, constant, precision
     from osculant.cas.special import special_points
 
+    check_split(split)
     kind, proved = _kind(curve, primitive)
     names = ["cusp"]
     names += ["inflection"] if kind != "segment" else []
     names += [PRIMITIVES[primitive].splits] if kind == "generic" else []
+    skipped = {PRIMITIVES[primitive].splits} if split == "never" else set[str]()
     with precision(PRECISION):
         low, high = (constant(end) for end in curve.ends)
-        found = special_points(curve.balls, *curve.ends, names)
-        points, cuts = cut(curve, found, split_at, low, high)
-        stretches = tuple(_stretch(curve, before, after, kind) for before, after in pairwise(cuts))
+        every = special_points(curve.balls, *curve.ends, names)
+        found = [point for point in every if not point.kinds <= skipped]
+        if closing == "smooth":
+            splits = cut_around(curve, found, split_at, low, high)
+            knots = _around(splits, low, high)
+        else:
+            splits, cuts = cut(curve, found, split_at, low, high)
+            knots = [(point.at, point) for point in cuts]
+        stretches = tuple(_stretch(curve, *before, *after, kind) for before, after in pairwise(knots))
+        left_out = [as_float(point.at) for point in every if point.kinds <= skipped]
+        if closing == "smooth":
+            left_out += [as_float(point.at + (high - low)) for point in every if point.kinds <= skipped]
+    free = closing == "smooth" and not splits
+    known = set[float]() if free else {part.a for part in stretches}
     return Division(
         stretches,
-        tuple(as_float(point.at) for point in points),
-        tuple(as_float(point.at) for point in found if not point.decided),
+        tuple(at for at in map(as_float, (point.at for point in splits)) if at != as_float(low)),
+        tuple(as_float(p.at) for p in (splits if closing == "smooth" else found) if not p.decided),
         proved,
+        free,
+        tuple(sorted({at for at in left_out if stretches[0].a <= at < stretches[-1].b} - known)),
     )
 
 
-def _kind(curve: PlaneCurve, primitive: str) -> tuple[Literal["generic", "segment", "exact"], bool]:
+def _around(splits: list[SpecialPoint], low: Any, high: Any) -> list[tuple[Any, SpecialPoint]]:
+    """Where the stretches of a closed curve end, and the points of the curve there."""
+    from osculant.cas.form_zeros import SpecialPoint
+
+    first = splits[0] if splits else SpecialPoint(low, frozenset())
+    knots = [(point.at, point) for point in splits or [first]]
+    return [*knots, (high if first.at is low else first.at + (high - low), first)]
+
+
+def _kind(curve: PlaneCurve, primitive: str) -> tuple[Kind, bool]:
     """What the curve is as a whole, and whether that is certain."""
     from osculant.cas.balls import PRECISION, constant, precision
     from osculant.cas.special import vanishes
@@ -122,21 +175,39 @@ def _kind(curve: PlaneCurve, primitive: str) -> tuple[Literal["generic", "segmen
     return "generic", True
 
 
+def begun_at(curve: PlaneCurve, division: Division, at: float) -> Stretch:
+    """The one stretch of a free division, begun elsewhere: from ``at`` to one period later.
+
+    >>> import math
+    >>> from osculant.plane import PlaneCurve
+    >>> ellipse = PlaneCurve("2*cos(t), sin(t)", 0, "2*pi")
+    >>> begun_at(ellipse, divide(ellipse, "parabola", closing="smooth"), 1.0).b == 1 + 2 * math.pi
+    True
+    """
+    from flint import arb
+
+    from osculant.cas.balls import PRECISION, precision
+    from osculant.cas.form_zeros import SpecialPoint
+
+    (whole,) = division.stretches
+    with precision(PRECISION):
+        start = SpecialPoint(arb(at), frozenset())
+        return _stretch(curve, start.at, start, start.at + (whole.high - whole.low), start, whole.kind)
+
+
 def _stretch(
-    curve: PlaneCurve,
-    before: SpecialPoint,
-    after: SpecialPoint,
-    kind: Literal["generic", "segment", "exact"],
+    curve: PlaneCurve, low: Any, start: SpecialPoint, high: Any, end: SpecialPoint, kind: Kind
 ) -> Stretch:
-    inside = before.at + (after.at - before.at) * 0.4871
+    """The stretch from low to high, where the curve is at the points ``start`` and ``end``."""
+    inside = low + (high - low) * 0.4871
     bend = curve.balls.jet(inside.mid(), 2).inflection_form
     return Stretch(
-        before.at,
-        after.at,
-        as_float(before.at),
-        as_float(after.at),
-        _frame(curve, before, 1),
-        _frame(curve, after, -1),
+        low,
+        high,
+        as_float(low),
+        as_float(high),
+        _frame(curve, start, 1),
+        _frame(curve, end, -1),
         -1.0 if bend < 0 else 1.0,
         kind,
     )

@@ -12,7 +12,8 @@ An elliptic arc is cut where its eccentric angle would exceed 2·66°: near a ha
 reader computes depends on the digits like a square root, and the arc may not exist at all after rounding. So
 the large-arc flag is never set, and arcs that turn by π or more are ordinary. Arcs of too large or too slim
 an ellipse for stable digits are written as cubics. Coordinates are mathematical, y upwards: the picture's
-group mirrors them, and the flags and rotations hold inside it. The path never breaks, not at cusps either.
+group mirrors them, and the flags and rotations hold inside it. The path never breaks, not at cusps either;
+that of a closed spline ends with `Z`.
 """
 
 from __future__ import annotations
@@ -24,9 +25,8 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from osculant import __version__
-from osculant.cas.errors import ToleranceError
 from osculant.conversion import Ellipse, cubics, ellipse, parabola_bound
-from osculant.tolerances import writing_reserve
+from osculant.tolerances import check_reserve
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -70,7 +70,7 @@ def svg(
 
     Args:
         spline: the spline.
-        reserve: how far the written curve may be from the pieces; `writing_reserve` if None.
+        reserve: how far the written curve may be from the pieces; what the tolerance leaves if None.
         knots: whether to draw the knots, as a second path with id "knots".
         command: the command line that made the spline, recorded in the description.
 
@@ -78,13 +78,16 @@ def svg(
         The file's text. Its description records version, primitive, tolerance and error too.
 
     Raises:
-        ToleranceError: a reserve below half of the 8 rounding units.
+        ToleranceError: a reserve below half of the 8 rounding units, or so little left of the tolerance.
     """
     left, bottom, right, top = spline.bounding_box()
     if reserve is None:
-        reserve = writing_reserve(spline.tolerance, max(map(abs, (left, bottom, right, top))))
+        largest = max(map(abs, (left, bottom, right, top)))
+        reserve = check_reserve(spline.reserve, largest, asked=False)
     path, decimals = path_data(spline.pieces, reserve)
     dots = [spline.pieces[0].start, *(piece.end for piece in spline.pieces)]
+    if spline.closed and _pair(dots[0], decimals) == _pair(dots[-1], decimals):
+        path += "\nZ"
     margin = MARGIN * max(right - left, top - bottom)
     width, height = right - left + 2 * margin, top - bottom + 2 * margin
     digits = 2 - math.floor(math.log10(margin))
@@ -125,11 +128,7 @@ def path_data(pieces: Sequence[Piece | Biarc], reserve: float) -> tuple[str, int
     'M1 0\nA1 1 0 0 1 0 1\nA1 1 0 0 1 -1 0'
     """
     largest = max(abs(side) for piece in pieces for side in piece.bounding_box())
-    least = writing_reserve(0.0, largest) / 2
-    if not reserve >= least:
-        raise ToleranceError(
-            f"Coordinates of {largest:.3g} cannot be written to within {reserve!r}; allow at least {least!r}."
-        )
+    check_reserve(reserve, largest)
     commands = [command for piece in pieces for arc in piece.arcs for command in _commands(arc, reserve)]
     amplification = max(command.amplification for command in commands)
     # Rounding to d decimals moves a point by at most 10⁻ᵈ/√2.

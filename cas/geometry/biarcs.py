@@ -14,9 +14,13 @@ from typing import Any
 import mpmath as mp
 
 from osculant.cas.errors import DomainError
+from osculant.cas.geometry.bitangent import root_between
+from osculant.cas.geometry.moons import integral
 
 #: a parameter to the curve's point and unit tangent there, complex
 Curve = Callable[[Any], tuple[Any, Any]]
+#: a parameter to the curve's point and velocity there, complex
+Path = Callable[[Any], tuple[Any, Any]]
 #: halvings when the parameter of the best member is located
 HALVINGS = 140
 
@@ -127,6 +131,94 @@ def equioscillating(
         else:
             low = middle
     return low, max(abs(e) for e in extremes(family(low), curve, parameters))
+
+
+def signed_area(biarc: Biarc, path: Path, low: Any, high: Any) -> Any:
+    """The signed area between a biarc and a curve from one common point to another, by Green's theorem.
+
+    ½∮[α, dα] of the biarc's part minus that of the curve's: positive where the curve is to the left.
+
+    Args:
+        biarc: it contains path(low) and path(high).
+        path: the curve; a quadrature for smooth integrands is applied to [α, α′].
+        low: the parameter of the first common point.
+        high: that of the last; closed regions that lie between them add up.
+
+    >>> half = member(mp.mpc(1), mp.mpc(0, 1), mp.mpc(-1), mp.pi, mp.mpf(1) / 3)
+    >>> ellipse = lambda t: (mp.mpc(mp.cos(t), mp.sin(t) / 2), mp.mpc(-mp.sin(t), mp.cos(t) / 2))
+    >>> mp.nstr(signed_area(half, ellipse, 0, mp.pi) / mp.pi, 12)
+    '0.25'
+    """
+    origin = biarc.start
+
+    def swept(t: Any) -> Any:
+        point, velocity = path(t)
+        return _cross(point - origin, velocity) / 2
+
+    return _sector(biarc, path(high)[0]) - _sector(biarc, path(low)[0]) - integral(swept, low, high)
+
+
+def equisymmetric(family: Callable[[Any], Biarc], path: Path, low: Any, high: Any) -> tuple[Any, Any, Any]:
+    """(μ, area, crossing) of the member whose two moons have the same area: its signed area is 0.
+
+    Args:
+        family: μ to the biarcs of the arc.
+        path: the curve.
+        low: the parameter of the arc's start.
+        high: that of its end.
+
+    Raises DomainError if the signed area has the same sign near both ends of (0, 1), or if the middle of the
+    arc is not near the crossing.
+
+    >>> turn = mp.atan(2)
+    >>> def parabola(t): return mp.mpc(t, t * t), mp.mpc(1, 2 * t)
+    >>> def of(mu): return member(mp.mpc(0), mp.mpc(1), mp.mpc(1, 1), turn, mu)
+    >>> mu, area, t = equisymmetric(of, parabola, 0, 1)
+    >>> abs(signed_area(of(mu), parabola, 0, t) - area / 2) < 1e-14
+    True
+    """
+
+    def balance(mu: Any) -> Any:
+        return signed_area(family(mu), path, low, high)
+
+    ends = mp.mpf(1) / 16, mp.mpf(15) / 16
+    if balance(ends[0]) * balance(ends[1]) >= 0:
+        raise DomainError("The moons do not balance for any junction between 1/16 and 15/16.")
+    mu = root_between(balance, *ends)
+    biarc = family(mu)
+
+    def distance(t: Any) -> Any:
+        point, velocity = path(t)
+        return biarc.displacement(point, velocity / abs(velocity))
+
+    quarter = (high - low) / 4
+    if distance(low + quarter) * distance(high - quarter) >= 0:
+        raise DomainError("The arc does not cross the biarc in its middle half: shorten it.")
+    crossing = root_between(distance, low + quarter, high - quarter)
+    moons = (signed_area(biarc, path, *ends) for ends in ((low, crossing), (crossing, high)))
+    return mu, sum(abs(moon) for moon in moons), crossing
+
+
+def _sector(biarc: Biarc, point: Any) -> Any:
+    """½∫[α, dα] about the biarc's start along it until that point, which lies on it."""
+    ahead = mp.re(mp.conj(biarc.direction) * (point - biarc.junction))
+    if point == biarc.start or (ahead <= 0 and point != biarc.end):  # an arc may turn by more than π
+        return _segment(biarc.heading, point - biarc.start)
+    r = point - biarc.junction
+    corner = biarc.junction - biarc.start
+    return _segment(biarc.heading, corner) + _cross(corner, r) / 2 + _segment(biarc.direction, r)
+
+
+def _segment(T: Any, chord: Any) -> Any:
+    """The area between an arc with that tangent and its chord, positive if it bends to the left."""
+    turning = 2 * mp.arg(chord / T) if chord != 0 else mp.mpf(0)
+    if turning == 0:
+        return mp.mpf(0)
+    return (turning - mp.sin(turning)) * abs(chord) ** 2 / (8 * mp.sin(turning / 2) ** 2)
+
+
+def _cross(u: Any, v: Any) -> Any:
+    return mp.im(mp.conj(u) * v)
 
 
 def _curvature(p: Any, T: Any, q: Any) -> Any:

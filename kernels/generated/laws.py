@@ -44,3 +44,36 @@ def biarc_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: flo
     """Pieces of a biarc spline per unit of the parameter, times ε^(1/3)."""
     _v0 = (x1 * x1) + (y1 * y1)
     return ((1.0 / 18.0))*18.0**((1.0 / 3.0))*abs(_v0*(x1*y3 - x3*y1) - (x1*x2 + y1*y2)*(3.0*x1*y2 - 3.0*x2*y1))**((1.0 / 3.0))/math.sqrt(_v0)
+
+
+@kernel
+def parabola_area_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: float, y2: float, y3: float, y4: float, y5: float) -> float:
+    """Pieces of a parabola spline per unit of the parameter, times a piece's area^(1/5)."""
+    _v0 = (x1 * x1) + (y1 * y1)
+    _v1 = x1*y2
+    _v2 = x2*y1
+    _v3 = _v1 - _v2
+    _v4 = (_v3 * _v3)
+    return ((1.0 / 30.0))*11250.0**((1.0 / 5.0))*math.sqrt(_v0)*(np.cbrt(_v4/(_v0 * _v0 * _v0))/_v0**((3.0 / 2.0)))**((1.0 / 5.0))*abs(_v3)**((1.0 / 5.0))*abs(((3.0*_v1 - 3.0*_v2)*(x1*y4 + 4.0*x2*y3 - 4.0*x3*y2 - x4*y1) - 5.0*((x1*y3 - x3*y1) * (x1*y3 - x3*y1)))/(_v4*((np.cbrt(_v3)) * (np.cbrt(_v3)))))**((1.0 / 5.0))
+
+
+@kernel
+def conic_area_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: float, y2: float, y3: float, y4: float, y5: float) -> float:
+    """Pieces of a conic spline per unit of the parameter, times a piece's area^(1/6)."""
+    _v0 = x1*y2
+    _v1 = x2*y1
+    _v2 = _v0 - _v1
+    _v3 = x1*y3 - x3*y1
+    _v4 = x4*y1
+    _v5 = x2*y3
+    _v6 = x3*y2
+    _v7 = x1*y4
+    _v8 = 3.0*_v0 - 3.0*_v1
+    return ((1.0 / 60.0))*math.sqrt(2.0)*3.0**((1.0 / 3.0))*5.0**((5.0 / 6.0))*abs(_v2)**((1.0 / 3.0))*abs((_v2*(3.0*_v3*(-7.0*_v4 - 2.0*_v5 + 2.0*_v6 + 7.0*_v7) - 3.0*_v8*(x1*y5 + 5.0*x2*y4 - 5.0*x4*y2 - x5*y1)) - _v3*(40.0*(_v3 * _v3) - 8.0*_v8*(-_v4 + 4.0*_v5 - 4.0*_v6 + _v7)))/(_v2 * _v2 * _v2 * _v2))**((1.0 / 6.0))
+
+
+@kernel
+def biarc_area_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: float, y2: float, y3: float, y4: float, y5: float) -> float:
+    """Pieces of a biarc spline per unit of the parameter, times a piece's area^(1/4)."""
+    _v0 = (x1 * x1) + (y1 * y1)
+    return ((1.0 / 12.0))*math.sqrt(6.0)*abs(_v0*(x1*y3 - x3*y1) - (x1*x2 + y1*y2)*(3.0*x1*y2 - 3.0*x2*y1))**((1.0 / 4.0))/_v0**((1.0 / 4.0))

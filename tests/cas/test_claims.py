@@ -80,7 +80,7 @@ def test_what_is_no_form_is_refused_in_a_sentence(claim, form):
 def test_what_a_proof_takes_for_granted_is_a_claim_and_shown():
     known = {claim.name: claim for claim in CLAIMS}
     leaning = {claim.name: claim for claim in CLAIMS if claim.given}
-    assert set(leaning) == {"proposition 3.3.4", "proposition 3.4.2"}
+    assert set(leaning) == {"proposition 3.3.4", "proposition 3.4.2", "X3.4-4", "X3.4-5"}
     for claim in leaning.values():
         assert set(claim.given) <= set(known) and claim.name not in claim.given
         assert claim.to_json()["given"] == list(claim.given)

@@ -212,13 +212,23 @@ def exact_invariants():
 @given(st.lists(signed, min_size=10, max_size=10))
 @settings(max_examples=40, deadline=None)
 def test_printed_laws(numbers):
-    """Theorem 3.6.1 to the power 1/p, from the invariants' definitions."""
+    """Theorems 3.6.1 and 3.6.4, and biarcs, to the power 1/p, from the invariants' definitions."""
     if abs(numbers[0] * numbers[6] - numbers[1] * numbers[5]) > 0.1:
-        speed, kappa, _, _, k, slope = exact_invariants()(*numbers)
+        speed, kappa, bend, _, k, slope = exact_invariants()(*numbers)
         with mpmath.workdps(50):
             parabola = (abs(k) * mpmath.cbrt(abs(kappa)) ** 5 / 128) ** (mpmath.mpf(1) / 4) * speed
             conic = mpmath.root(abs(slope) * kappa**2 / (2000 * mpmath.sqrt(5)), 5) * speed
-        for function, value in ((laws.parabola_density, parabola), (laws.conic_density, conic)):
+            parabola_area = mpmath.root(abs(k) * mpmath.cbrt(abs(kappa)) ** 5 / 240, 5) * speed
+            conic_area = mpmath.root(abs(slope) * kappa**2 / 7680, 6) * speed
+            biarc, biarc_area = (mpmath.root(abs(bend) / c, p) * speed for c, p in ((324, 3), (576, 4)))
+        for function, value in (
+            (laws.parabola_density, parabola),
+            (laws.conic_density, conic),
+            (laws.biarc_density, biarc),
+            (laws.parabola_area_density, parabola_area),
+            (laws.conic_area_density, conic_area),
+            (laws.biarc_area_density, biarc_area),
+        ):
             if value > 1e-2:  # a root makes much of the rounding of what nearly vanishes
                 assert agrees(function, lambda *_, x=value: [x], numbers, 1e-8)
                 assert not agrees(function, lambda *_, x=value: [x * (1 + 1e-6)], numbers, 1e-8)

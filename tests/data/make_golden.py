@@ -35,12 +35,18 @@ COMMANDS = {
         *["complexity", SEXTIC, "--from", "-3*pi/4", "--to", "3*pi/4"],
         *["--with", "parabola", "--split-at", "0"],
     ],
+    "complexity-area": [
+        *["complexity", SEXTIC, "--from", "-3*pi/4", "--to", "3*pi/4"],
+        *["--metric", "area", "--tolerance", "1e-6", "--pieces", "26"],
+    ],
     "invariants-sextic": ["invariants", SEXTIC],
     "invariants-arc": ["invariants", "t, cosh(t)", "--from", "0", "--to", "log(2)"],
     "invariants-line": ["invariants", "t, 2*t"],
     "invariants-values": ["invariants", *SPIRAL[:1], "--at", "1.2", "--digits", "40"],
     "tables-3.1": ["tables", "3.1"],
+    "tables-3.2": ["tables", "3.2"],
     "tables-3.3": ["tables", "3.3"],
+    "tables-3.4": ["tables", "3.4"],
 }
 
 

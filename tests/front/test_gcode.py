@@ -178,7 +178,7 @@ def test_read_back_within_the_tolerance(formula, tolerance):
 def test_few_decimals_need_a_stated_reserve(decimals):
     spline = osc.approximate(osc.curve(*SPIRAL), "biarc", 1e-2)
     with pytest.raises(
-        ToleranceError, match=rf"Rounding to {decimals} decimals .*give 10 decimals, or reserve="
+        ToleranceError, match=rf"Rounding to {decimals} decimals .*give 10 decimals, or a reserve of "
     ):
         gcode(spline, decimals=decimals)
     reserve = 8 * 10.0**-decimals

@@ -14,13 +14,12 @@ from scipy.spatial import cKDTree
 
 from osculant.cas.errors import DomainError, FormulaError, ToleranceError
 from osculant.plane import PlaneCurve
-from osculant.report import values_data
+from osculant.report import print_spline, values_data
 from osculant.space import SpaceCurve
 from osculant.space_approximation import approximate_in_space, complexity_in_space
 from osculant.space_fitting import extent
 from osculant.space_report import (
     print_space_invariants,
-    print_space_spline,
     print_space_values,
     space_invariants_data,
 )
@@ -139,8 +138,8 @@ def test_reports(capsys):
     assert "torsion                      tau = (t**2 + 6)/(t**4 + 5*t**2 + 8)" in shown
     assert r"\tau = \frac{t^{2} + 6}{t^{4} + 5 t^{2} + 8}" in shown
     assert "torsion                      tau = 0.5\n" in shown
-    print_space_spline(approximate_in_space(curve, tolerance=1e-3), 0.1, ["a.json"])
-    assert "rule          equioscillating" in capsys.readouterr().out
+    print_spline(approximate_in_space(curve, tolerance=1e-3), 0.1, ["a.json"])
+    assert "rule          equioscillating\n" in capsys.readouterr().out
 
 
 # Splines.
@@ -271,8 +270,12 @@ def test_bad_choices_are_refused():
         approximate_in_space(curve, "conic")
     with pytest.raises(DomainError, match="rule 'best' is unknown"):
         approximate_in_space(curve, rule="best")
-    with pytest.raises(DomainError, match="metric 'area' is unknown"):
+    with pytest.raises(DomainError, match="metric 'area' is one of plane curves, and t, "):
         complexity_in_space(curve, metric="area")
+    with pytest.raises(DomainError, match="metric 'taxi' is unknown"):
+        approximate_in_space(curve, metric="taxi")
+    with pytest.raises(DomainError, match="way to split 'often' is unknown"):
+        approximate_in_space(curve, split="often")
     with pytest.raises(DomainError, match="split point 2 is not inside"):
         approximate_in_space(curve, split_at=[2])
     with pytest.raises(DomainError, match="has no interval"):

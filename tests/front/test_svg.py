@@ -376,6 +376,25 @@ def test_a_reserve_below_rounding_is_refused(reserve):
         path_data([circle(0, 1)], reserve)
 
 
+def test_only_the_path_of_a_closed_spline_is_closed():
+    thirds = [circle(2 * math.pi * i / 3, 2 * math.pi * (i + 1) / 3) for i in range(3)]
+    for spline, ends in (
+        (replace(spline_of(thirds), closed=True), True),
+        (spline_of(thirds), False),
+        (replace(spline_of(thirds[:2]), closed=True), False),  # its ends do not meet
+        (replace(spline_of([*thirds[:2], replace(thirds[2], end=(1 + 1e-9, 0.0))]), closed=True), False),
+    ):
+        path = ET.fromstring(svg(spline)).find(f".//{SVG}path[@id='spline']").get("d")
+        assert path.endswith(" Z") == ends and path.count("Z") == ends  # XML makes a blank of a line end
+
+
+def test_a_spline_without_room_for_rounding_is_refused():
+    spline = spline_of([circle(0.0, 2.0, error=1e-6)], tolerance=1e-6)
+    with pytest.raises(ToleranceError, match=r"leaves 0 of the tolerance .* write with a larger reserve"):
+        svg(spline)
+    assert "of writing at most 1e-09 more" in svg(spline, reserve=1e-9)
+
+
 def test_the_file_is_a_picture_with_its_history():
     spline = spline_of([circle(0, 2), circle(2, 4, error=1e-9)], text='cos(t), sin(t) < "&"', tolerance=1e-6)
     text = svg(spline, command="osculant approximate 'a < b & c' --tolerance 1e-6 \x00]]>")

@@ -44,7 +44,7 @@ def spline_of(text, a, b, tolerance, rule, capacity=1000):
     table = np.empty((capacity, bihelix_spline.COLUMNS))
     count, reached, _ = bihelix_spline.spline(
         rule, jet.address, place, a, end_frame(jet, a), b, end_frame(jet, b),
-        *window(tolerance, largest), 0.0, table,
+        *window(tolerance, math.ulp(largest)), 0.0, table,
     )  # fmt: skip
     assert reached == b
     return table[:count], jet
@@ -306,7 +306,7 @@ def test_a_full_table_is_continued():
     table = np.empty((2, bihelix_spline.COLUMNS))
     count, reached, _ = bihelix_spline.spline(
         EQUIOSCILLATING, jet.address, place, 0.0, end_frame(jet, 0.0), 1.0, end_frame(jet, 1.0),
-        *window(1e-4, largest), 0.0, table,
+        *window(1e-4, math.ulp(largest)), 0.0, table,
     )  # fmt: skip
     assert (count, reached) == (2, table[1, 1])
     assert table[:, 1] == pytest.approx(whole[:2, 1], rel=1e-12)

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.asymptotics import arc_laws, arc_splines
-from osculant.cas.asymptotics.arc_laws import arc_law, at_junction, peak
+from osculant.cas.asymptotics.arc_laws import arc_law, at_junction, moons, peak
 from osculant.cas.asymptotics.arc_splines import (
     KAPPA,
     a,
@@ -151,6 +151,35 @@ def test_best_of_true_biarcs():
         assert abs(mu - 0.5) < 1e-5
 
 
+def strip(found, curve, h, count=240):
+    """(signed, whole) area of a biarc over the arc from −h to h, by the midpoint rule over h⁴."""
+    places = [h * (2 * mp.mpf(i) + 1 - count) / count for i in range(count)]
+    heights = [found.displacement(*curve(s)) / h**3 for s in places]
+    return 2 * mp.fsum(heights) / count, 2 * mp.fsum(map(abs, heights)) / count
+
+
+def test_areas_of_true_biarcs():
+    """Equal moons mean the middle; there the area is least, and that of the law; elsewhere as derived."""
+    with mp.workdps(30):
+        h = mp.mpf("1e-6")
+        curve = Clothoidal(1.3, 0.8, -0.4)
+        (p, T), (q, S) = curve(-h), curve(h)
+        areas = {}
+        for mu in (mp.mpf("0.3"), mp.mpf("0.45"), mp.mpf("0.5"), mp.mpf("0.55"), mp.mpf("0.9")):
+            found = member(p, T, q, mp.arg(S / T), mu)
+            along = mp.re(found.junction / h)
+            signed, areas[mu] = strip(found, curve, h)
+            assert abs(signed - mp.mpf(2) / 9 * mp.mpf("0.8") * along) < 1e-4 * (abs(signed) + 1e-2)
+            shape = at_junction(biarc(), sp.nsimplify(sp.Float(str(along), 30).n(6), rational=True))
+            unit = arc_splines.Displacement(
+                3, tuple((low, high, f.subs(KAPPA[1], sp.Rational(4, 5))) for low, high, f in shape.pieces)
+            )
+            assert abs(areas[mu] / mp.mpf(sp.N(moons(unit), 20)) - 1) < 1e-3
+        middle = areas[mp.mpf("0.5")]
+        assert middle == min(areas.values())
+        assert abs(middle / (mp.mpf("0.8") * 16) * 576 - 1) < 1e-3
+
+
 def test_true_triarc():
     """The circle tangent to both osculating circles whose curvature is that of the curve in the middle."""
     with mp.workdps(DIGITS):
@@ -196,9 +225,24 @@ def test_triarc_is_the_best_of_its_family():
         assert max(heights) > best * 1.001 if place else abs(max(heights) / best - 1) < 1e-4
 
 
+#: places on [−1, 1] at which a leading displacement is summed
+SAMPLES = 400
+
+
+def _samples(shape):
+    places = [sp.Rational(2 * i + 1, SAMPLES) - 1 for i in range(SAMPLES)]
+    return [(s, next(f for low, high, f in shape.pieces if low <= s <= high)) for s in places]
+
+
 def test_laws_match_closed_forms():
     triarc_constant = ((2 * sp.sqrt(3) - 3) / 3) ** sp.Rational(3, 2) / 24
     assert abs(sp.N(arc_law("triarc").constant - triarc_constant, 60)) < sp.Float("1e-55")
+    # a biarc's displacement −κ′x(1 − |x|)²/6, by hand
+    by_hand = 2 * sp.integrate(x * (1 - x) ** 2 / 6, (x, 0, 1)) / 2**4
+    assert arc_law("biarc", "area").constant == by_hand == sp.Rational(1, 576)
+    assert arc_law("biarc", "area").order == 4 and arc_law("biarc", "area").rate == sp.Rational(1, 3)
+    triarc_area = sum(abs(sp.N(f.subs({KAPPA[1]: 1, x: s}))) for s, f in _samples(triarc())) / SAMPLES
+    assert abs(triarc_area / 2**3 / sp.N(arc_law("triarc", "area").constant) - 1) < 1e-3
     assert [arc_law(p, "area").constant for p in ("polygon", "circumscribed polygon")] == [
         sp.Rational(1, 12),
         sp.Rational(1, 24),
@@ -227,7 +271,7 @@ def test_area_complexity_of_a_circle():
 
 
 @pytest.mark.parametrize(
-    ("primitive", "metric"), [("spline", "hausdorff"), ("biarc", "area"), ("polygon", "l2")]
+    ("primitive", "metric"), [("spline", "hausdorff"), ("spline", "area"), ("polygon", "l2")]
 )
 def test_unknown_laws(primitive, metric):
     with pytest.raises(DomainError):

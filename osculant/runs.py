@@ -1,0 +1,119 @@
+"""Consecutive pieces on one stretch of a curve, and what the searches for knots ask of a stretch."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+Floats = np.ndarray[Any, Any]
+Progress = Callable[[float], None]
+
+
+@dataclass(frozen=True)
+class Run:
+    """Pieces from one end of a stretch to the other, as numbers.
+
+    Attributes:
+        knots: parameters, shape (n + 1,).
+        errors: of the n pieces, in the user's units; infinite where an arc has no proper piece.
+        rows: the kernels' table, shape (n, columns).
+        limited: whether a piece ends, short of the tolerance, where no longer arc had a proper one.
+        early: whether a piece was cut short so that the last one has some length.
+
+    >>> run = Run(np.array([0.0, 1.0, 2.0]), np.array([0.1, 0.2]), np.empty((2, 0)))
+    >>> len(run), run.error
+    (2, 0.2)
+    """
+
+    knots: Floats
+    errors: Floats
+    rows: Floats
+    limited: bool = False
+    early: bool = False
+
+    def __len__(self) -> int:
+        """Return the number of pieces."""
+        return len(self.errors)
+
+    @property
+    def error(self) -> float:
+        """The largest error of a piece."""
+        return float(self.errors.max())
+
+
+class Part(Protocol):
+    """A stretch of a curve with a way to fit pieces to its arcs.
+
+    If ``exact``, its pieces are parts of the curve itself, and no error is worth a search.
+    """
+
+    exact: bool
+
+    @property
+    def order(self) -> int:
+        """The error of one short arc is of this order in its length."""
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The parameters where it begins and ends."""
+
+    @property
+    def noise(self) -> float:
+        """What rounding does to the error of a piece, in the user's units."""
+
+    @property
+    def least(self) -> int:
+        """How many pieces it takes however large their errors may be."""
+
+    def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
+        """The longest pieces with errors at most ``high``; those that end there have at least ``low``."""
+
+    def at_least(self, high: float) -> int:
+        """A quick lower bound of the number of greedy pieces with errors at most ``high``."""
+
+    def fitted(self, knots: Floats) -> Run:
+        """The best piece for each arc between neighbouring knots."""
+
+    def spread(self, count: int) -> Floats:
+        """First guess of the knots of so many pieces with equal errors: equal content."""
+
+
+def whole_error(runs: Sequence[Run], dimension: int) -> float:
+    """The error of runs one after the other: areas (dimension 2) add, of distances the largest counts.
+
+    >>> halves = [Run(np.array([0.0, 1.0]), np.array([error]), np.empty((1, 0))) for error in (0.25, 0.5)]
+    >>> whole_error(halves, 1), whole_error(halves, 2)
+    (0.5, 0.75)
+    """
+    if dimension == 2:
+        return math.fsum(error for run in runs for error in run.errors)
+    return max(run.error for run in runs)
+
+
+def equal_parts(ends: tuple[float, float], count: int) -> Floats:
+    """Knots that divide an interval equally; the ends are kept to the last bit.
+
+    >>> equal_parts((0.0, 1.0), 4).tolist()
+    [0.0, 0.25, 0.5, 0.75, 1.0]
+    """
+    knots = np.linspace(*ends, count + 1)
+    knots[0], knots[-1] = ends
+    return knots
+
+
+def share(error: float, level: float, order: int) -> float:
+    """What part of a full piece one with this error is, at most 1.
+
+    >>> share(1.0, 32.0, 5)
+    0.5
+    """
+    return min(1.0, math.pow(max(error, 0.0) / level, 1.0 / order))
+
+
+def share_of(progress: Progress | None, i: int, count: int) -> Progress | None:
+    """The progress of one stretch of so many, the i-th from 0, as that of the whole."""
+    return None if progress is None else lambda done: progress((i + done) / count)
