@@ -243,7 +243,7 @@ def _nodes(degree: int) -> list[float]:
 
 @cache
 def _basis(degree: int, bits: int) -> list[Any]:
-    """Lagrange's polynomials of the nodes, as balls of the precision."""
+    """Lagrange's polynomials of the nodes, as balls; ``bits``, the precision, tells apart what is cached."""
     nodes = [arb(s) for s in _nodes(degree)]
     found = []
     for j, node in enumerate(nodes):

@@ -10,6 +10,7 @@ so that a maximum is enclosed to 10⁻⁶ from boxes of about a hundredth.
 from __future__ import annotations
 
 import heapq
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import count
@@ -109,15 +110,14 @@ def _box(numerator: Any, denominator: Any, centre: Any, radius: Any) -> _Box:
     least = q[0] - _absolute(q[1:])
     value = p[0] / q[0]
     unknown = not (least > 0 and value.is_finite())
-    attained = arb.neg_inf() if unknown or not value.is_finite() else value.lower()
     if unknown:
-        return _Box(centre, radius, arb.pos_inf(), attained)
+        return _Box(centre, radius, arb.pos_inf(), arb.neg_inf())
     level = arb(value.mid())
     g = [a - level * b for a, b in zip(p, q)] + p[len(q) :] + [-level * b for b in q[len(p) :]]
     excess = _quadratic(g).upper()
-    if excess > 0:
+    if not excess <= 0:  # NaN must not pass for a bound
         level += excess / least.lower()
-    return _Box(centre, radius, level.upper(), attained)
+    return _Box(centre, radius, level.upper(), value.lower())
 
 
 def _quadratic(g: list[Any]) -> Any:
@@ -139,4 +139,4 @@ def _absolute(values: Sequence[Any]) -> Any:
 
 def _key(upper: Any) -> float:
     value = float(upper)
-    return value if value == value else float("inf")
+    return math.inf if math.isnan(value) else value

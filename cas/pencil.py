@@ -16,8 +16,6 @@ from __future__ import annotations
 
 import sympy as sp
 
-from osculant.cas.functions import copysign
-
 l0, l1, l2 = sp.symbols("l0 l1 l2", real=True)
 #: derivatives of l₀, l₁, l₂ along the normal N and along the tangent T of the curve
 n0, n1, n2 = sp.symbols("n0 n1 n2", real=True)
@@ -41,10 +39,11 @@ def implicit(along: tuple[sp.Expr, sp.Expr, sp.Expr]) -> sp.Expr:
 def displacement() -> dict[str, sp.Expr]:
     """The displacement at one curve point, its derivative by Q and its slope along the curve.
 
-    F(α + dN) = A d² + B d + C is solved for the root that tends to 0 with C, in the form that does
-    not cancel.  Returns ``d``, ``by_q`` = ∂d/∂Q, ``slope`` = d′ (per unit of the parameter) and the
-    values ``foot0``, ``foot1``, ``foot2`` of the three lines at the foot.  d is NaN exactly where
-    the normal misses the conic.
+    F(α + dN) = A d² + B d + C is solved for the root where F falls along the normal, ∂F/∂d = 2Ad + B < 0,
+    as it does at both ends of an arc that bends to the left: so the feet move continuously along the conic,
+    from one end of the arc to the other, and none of it is missed.  Returns ``d``, ``by_q`` = ∂d/∂Q,
+    ``slope`` = d′ (per unit of the parameter) and the values ``foot0``, ``foot1``, ``foot2`` of the three
+    lines at the foot.  d is NaN exactly where the normal misses the conic.
 
     >>> sorted(displacement())
     ['by_q', 'd', 'foot0', 'foot1', 'foot2', 'slope']
@@ -52,7 +51,7 @@ def displacement() -> dict[str, sp.Expr]:
     foot = (l0 + d * n0, l1 + d * n1, l2 + d * n2)
     coefficients = sp.Poly(sp.expand(implicit(foot)), d).all_coeffs()
     a, b, c = coefficients
-    root = copysign(sp.sqrt(b**2 - 4 * a * c), b)
+    root = -sp.sqrt(b**2 - 4 * a * c)
     value = -2 * c / (b + root)
     # Implicit differentiation of F(α + dN, Q) = 0; ∂F/∂d = 2Ad + B equals the signed root.
     by_q = -sp.diff(implicit(foot), Q) / root

@@ -27,9 +27,6 @@ class ClosedForm:
 class _NumbaPrinter(PythonCodePrinter):  # type: ignore[misc]
     """Python source with `math` functions, float literals and small powers written as products."""
 
-    def _print_copysign(self, expr: sp.Expr) -> str:
-        return f"math.copysign({self._print(expr.args[0])}, {self._print(expr.args[1])})"
-
     def _print_cbrt(self, expr: sp.Expr) -> str:
         return f"np.cbrt({self._print(expr.args[0])})"
 

@@ -34,7 +34,7 @@ from osculant.kernels.strip_series import COUNTS, WEIGHTS, expand, tail, unsigne
 PANEL, PANEL_LEVEL, WHOLE_LEVEL = 0, 3, 3
 #: relative accuracy of areas, and panels in all; units of noise that a tail may have
 ACCURACY, MOST_PANELS, ROUNDING = 1e-12, 400, 1.0
-#: rounds of the search for Q, and the signed area, in parts of the area, that ends it
+#: rounds of the search for Q; the signed area in parts of the area, or the bracket in parts of Q, ending it
 ROUNDS, EVEN = 80, 1e-13
 #: members among which the least area is looked for, and golden sections
 GRID_Q, SECTIONS = 24, 45

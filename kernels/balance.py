@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 
 from osculant.kernels.arc_length import Lengths, measure_lengths
-from osculant.kernels.bihelix import EQUIOSCILLATING, Bihelix, End, bihelix, chord
+from osculant.kernels.bihelix import EQUIOSCILLATING, LEVEL, Bihelix, End, bihelix, chord, normal_plane
 from osculant.kernels.bihelix_error import peaks
-from osculant.kernels.helix import SAME
+from osculant.kernels.helix import SAME, place_at
 from osculant.kernels.jit import kernel
 from osculant.kernels.space_curve import Source
 from osculant.kernels.vectors import cross, norm, subtract
@@ -37,18 +37,28 @@ Assessed = tuple[float, float, bool, Bihelix]
 
 
 @kernel
+def is_degenerate(two: Bihelix) -> bool:
+    """Whether the two helices turn too far together, or one of them is nothing."""
+    first, second = two[0][13], two[1][13]
+    return two[0][14] + two[1][14] > MOST_TURN or min(first, second) <= SHORTEST * (first + second)
+
+
+@kernel
 def assess(
     rule: int, source: Source, a: float, left: End, b: float, right: End,
     sigma: float, v: float, points: int, lengths: Lengths,
 ) -> Assessed:  # fmt: skip
-    """The bihelix with the junction at v, and its peaks; ``points`` samples of each side at least."""
+    """The bihelix with the junction at v, and its peaks; ``points`` samples of each side at least.
+
+    If the rule has none there, that of the rule `LEVEL`.
+    """
     found, two = bihelix(rule, source, a, left, b, right, sigma, 0.5 * v * sigma, lengths)
-    turn = two[0][14] + two[1][14]
-    length = two[0][13] + two[1][13]
-    shorter = min(two[0][13], two[1][13])
-    if not found or turn > MOST_TURN or shorter <= SHORTEST * length:
-        return math.inf, math.inf, True, two
+    if not found or is_degenerate(two):
+        found, two = bihelix(LEVEL, source, a, left, b, right, sigma, 0.5 * v * sigma, lengths)
+        if not found or is_degenerate(two):
+            return math.inf, math.inf, True, two
     first, second, trusted = peaks(source, a, b, two, points)
+    length = two[0][13] + two[1][13]
     trusted = trusted and sigma <= LENGTHS_AGREE * length and length <= LENGTHS_AGREE * sigma
     return first, second, trusted, two
 
@@ -91,6 +101,8 @@ def best(
     noise = source[1][4]
     if is_straight(left, right, noise):
         two = chord(left, right, 0.5 * (a + b))
+        t = normal_plane(source, a, b, place_at(two[1], 0.0)[0], left[1], two[2])
+        two = (two[0], two[1], t)
         first, second, trusted = peaks(source, a, b, two, points)
         return first, second, 0.0, trusted, two
     if rule != EQUIOSCILLATING:

@@ -11,7 +11,7 @@ import math
 
 from osculant.kernels.biarc import Biarc, distance, family, is_beside, is_proper, is_short, member, to_circle
 from osculant.kernels.biarc_area import NOISE, strip
-from osculant.kernels.biarc_scan import SLACK, look
+from osculant.kernels.biarc_scan import LOPSIDED, SLACK, look
 from osculant.kernels.curve import Frame, Source, sample
 from osculant.kernels.gauss import NODES, SIZES, TAILS, WEIGHTS
 from osculant.kernels.jit import kernel
@@ -221,7 +221,7 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
     kept, least = 0.5, math.inf
     for step in range(ROUNDS):
         signed, area, _ = areas(member(fam, mu), source, a, b, space, count)
-        if area < least:
+        if area < least and LOPSIDED < mu < 1.0 - LOPSIDED:
             kept, least = mu, area
         if abs(signed) <= BALANCED * area or high - low <= BALANCED:
             break

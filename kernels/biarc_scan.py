@@ -22,6 +22,8 @@ LARGEST_TURN, LARGEST_PART, TOLD, LARGEST_STEP = 0.35, 0.3, 1e-10, 0.3
 VISITS, SETTLED = 24, 1e-7
 #: rounds of the search for μ, and its accuracy
 ROUNDS, BALANCED = 80, 1e-12
+#: where no μ makes the peaks equal, the best is taken of those this far from 0 and 1: shorter arcs are no use
+LOPSIDED = 0.02
 #: units of the coordinates' noise by which a foot may miss the biarc
 SLACK = 64.0
 
@@ -182,9 +184,12 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
             mu = (low * excess_high - high * excess_low) / (excess_high - excess_low)
         top, bottom = extremes(member(fam, mu), source, a, b, space, count)
         excess, size = top + bottom, max(top, -bottom)
-        if size < least:
+        if size < least and LOPSIDED < mu < 1.0 - LOPSIDED:
             kept, least = mu, size
-        if abs(excess) <= BALANCED * size or high - low <= BALANCED:
+        if abs(excess) <= BALANCED * size:
+            kept = mu
+            break
+        if high - low <= BALANCED:
             break
         if step == 0 and size <= source[1][4]:
             break  # rounding says nothing about μ

@@ -6,7 +6,11 @@ length σ the approximation theorem asks for T₀ = normalise(T − κ′(σ²/2
 
 * `THESIS`: u = 0, and p₀ is the point of the line nearest to the middle of the arc;
 * `EQUIOSCILLATING`: p₀ is the point of the line nearest to the curve, and u makes the largest distances on
-  both sides of the junction equal (`osculant.kernels.balance`).
+  both sides of the junction equal (`osculant.kernels.balance`);
+* `LEVEL`, in place of either where it has no bihelix: T₀ is turned until q, the curve point at u, has the
+  same distance d from both junction planes, along their normals, and p₀ is the point of the line nearest to
+  q.  Beside κ = 0 the two planes are so nearly parallel that their line may be as far from the curve as the
+  arc from its chord, and helices turn a lot to get there; here |p₀ − q| is d/cos(half the planes' angle).
 
 `osculant.cas.geometry.bihelix_rules` is the reference.
 """
@@ -21,8 +25,8 @@ from osculant.kernels.jit import kernel
 from osculant.kernels.space_curve import Source, bends, sample
 from osculant.kernels.vectors import Vector, combine, cross, dot, norm, scaled, subtract, unit
 
-#: the rules
-THESIS, EQUIOSCILLATING = 0, 1
+#: the rules, and what stands in for either
+THESIS, EQUIOSCILLATING, LEVEL = 0, 1, 2
 #: a point of the curve with its unit tangent
 End = tuple[Vector, Vector]
 #: (left helix, right helix, parameter of the curve point in the junction's normal plane)
@@ -36,6 +40,8 @@ FLAT = 16.0
 PARALLEL = 1e-9
 #: steps to the foot of the junction, and their relative change that ends them
 STEPS, SETTLED = 30, 1e-9
+#: difference of the distances from two junction planes times change of tangent, relative to σ: that is none
+SAME_HEIGHT = 2.0**-52
 
 
 @kernel
@@ -98,6 +104,36 @@ def nearest_to_curve(
 
 
 @kernel
+def levelled(left: End, right: End, tangent: Vector, q: Vector, sigma: float) -> tuple[Vector, Vector]:
+    """(T₀, p₀) with q equally far from both junction planes, T₀ turned from ``tangent`` along their normals.
+
+    Turning T₀ by β changes the difference of the distances by βσ/2, to leading order on every short arc,
+    which starts secant steps.  p₀ is NaN if they find nothing.
+
+    >>> left, right = ((0., 0., 0.), (1., 0., 0.)), ((2., 2., 0.), (0., 1., 0.))
+    >>> r = math.sqrt(0.5)
+    >>> tangent, p = levelled(left, right, (0.6, 0.8, 0.0), (2 * r, 2 - 2 * r, 0.0), math.pi)
+    >>> [abs(round(x, 9)) for x in subtract(tangent, (r, r, 0.0))], [round(x, 9) for x in p]
+    ([0.0, 0.0, 0.0], [1.414213562, 0.585786438, 0.0])
+    """
+    slope, turned, before = 0.5 * sigma, 0.0, 0.0
+    for _ in range(STEPS):
+        first, second = subtract(tangent, left[1]), subtract(right[1], tangent)
+        least = min(norm(first), norm(second))
+        first, second = unit(first), unit(second)
+        off_first, off_second = dot(subtract(left[0], q), first), dot(subtract(right[0], q), second)
+        mean = combine(1.0, first, 1.0, second)
+        gap = off_first - off_second
+        if abs(gap) * least <= SAME_HEIGHT * sigma:  # as exactly as rounded tangents can tell
+            return tangent, combine(1.0, q, (off_first + off_second) / dot(mean, mean), mean)
+        if turned != 0.0:
+            slope = min(2.0 * sigma, max(0.125 * sigma, (gap - before) / turned))
+        turned, before = -gap / slope, gap
+        tangent = unit(combine(1.0, tangent, turned, unit(mean)))
+    return tangent, (math.nan, math.nan, math.nan)
+
+
+@kernel
 def normal_plane(source: Source, a: float, b: float, p: Vector, tangent: Vector, t: float) -> float:
     """The parameter near t of the curve point x with ⟨x − p, tangent⟩ = 0."""
     low, high = a, b
@@ -126,7 +162,7 @@ def bihelix(
     """(found, bihelix) of the arc [a, b] with the junction at the offset u from its middle (0: `THESIS`).
 
     Args:
-        rule: `THESIS` or `EQUIOSCILLATING`: which point of the junction line.
+        rule: `THESIS`, `EQUIOSCILLATING` or `LEVEL`: which junction.
         source: the curve, of size about 1.
         a: parameter of the left end.
         left: point and tangent there.
@@ -142,6 +178,8 @@ def bihelix(
     junction_tangent = unit(combine(1.0, tangent, -(sigma * sigma / 24.0 + 0.5 * u * u), lean))
     if rule == THESIS:
         junction = combine(1.0, p, 1.0, offset(left, right, junction_tangent, p)[0])
+    elif rule == LEVEL:
+        junction_tangent, junction = levelled(left, right, junction_tangent, p, sigma)
     else:
         t, junction = nearest_to_curve(source, a, left, b, right, junction_tangent, t)
     flat = FLAT * noise

@@ -2,7 +2,8 @@
 
 Distances are measured from points of the curve to their feet on the helix; the foot moves continuously from
 one end of the bihelix to the other, so that the largest of them bounds the two-sided Hausdorff distance,
-and at a peak both curves have a common normal: peaks are the same seen from either.
+and at a peak both curves have a common normal: peaks are the same seen from either.  If the feet do not
+reach both ends of each helix, parts of it are not seen, and the distances are not trusted.
 """
 
 from __future__ import annotations
@@ -24,6 +25,10 @@ TURN, MOST = 0.35, 64
 LEAN = 0.8
 #: … and the helix is not near its evolute: 1 − ⟨p − α, κN⟩ is larger
 STIFF = 0.3
+
+#: feet this part of a helix from its end, and this many times the noise, are there: the parameter of the
+#: junction is known to rounding
+REACHED, REACHED_NOISE = 1e-6, 64.0
 
 #: (distance, its derivative by the parameter, foot's arc length, speed, trusted)
 View = tuple[float, float, float, float, bool]
@@ -90,6 +95,8 @@ def side(source: Source, helix: Helix, a: float, b: float, points: int, noise: f
     count = int(min(float(MOST), max(float(points), math.ceil(helix[14] / TURN))))
     step = (b - a) / count
     d0, slope0, s0, speed0, trusted = look(source, helix, a, 0.0, noise)
+    near = REACHED * helix[13] + REACHED_NOISE * noise
+    trusted = trusted and s0 <= near
     top = d0
     for i in range(1, count + 1):
         t = b if i == count else a + step * i
@@ -105,7 +112,7 @@ def side(source: Source, helix: Helix, a: float, b: float, points: int, noise: f
             trusted = trusted and good
             top = max(top, peak)
         d0, slope0, s0, speed0 = d1, slope1, s1, speed1
-    return top, trusted
+    return top, trusted and s0 >= helix[13] - near
 
 
 @kernel

@@ -31,10 +31,10 @@ from osculant.kernels.minimax import minimax
 from osculant.kernels.primitives import (
     AREA_PARABOLA,
     BIARC,
+    BIARCS,
     CONIC,
-    EQUISYMMETRIC,
+    CONIC_AREAS,
     EQUISYMMETRIC_BIARC,
-    LEAST_AREA,
     PARABOLA,
 )
 from osculant.kernels.scan import GRID, Space, measure, workspace
@@ -55,7 +55,7 @@ AIM = 0.3
 UNREST = 0.05
 #: if less than this part of an arc would be left to the end of the stretch, doubles can hardly carry what is
 #: left: the arc ends early, after this part of the whole, for a last piece of some length
-SHORT, EARLY = 1e-3, 0.9
+SHORT, EARLY = 1e-6, 0.9
 #: evaluations of the careful search
 CAREFUL_STEPS = 200
 
@@ -107,7 +107,7 @@ def step(
     if primitive == EQUISYMMETRIC_BIARC:
         error, q, unrest, moved = biarc_area.exchange(source, a, start, b, end, peaks)
         return error, q, unrest, moved, steeps
-    if primitive in (AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA):
+    if primitive in CONIC_AREAS:
         error, q, unrest, moved = area_exchange.exchange(
             primitive, source, a, start, b, end, peaks, calm, space
         )
@@ -206,7 +206,7 @@ def measured(
     if primitive == EQUISYMMETRIC_BIARC:
         arcs = biarc.member(biarc.family(start, end), q)
         return biarc_moons.measure(arcs, source, a, b, points, space)
-    if primitive in (AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA):
+    if primitive in CONIC_AREAS:
         return area_scan.measure(pencil(start, end, source[1][4]), q, source, a, b, space)
     return measure(pencil(start, end, source[1][4]), q, source, a, b, points, space)
 
@@ -222,7 +222,7 @@ def record(
     """
     row[0], row[1], row[2], row[3], row[4] = a, b, q, error, reason
     row[5], row[6], row[7], row[8], row[9], row[10] = start[0], start[1], start[2], start[3], end[0], end[1]
-    if primitive in (BIARC, EQUISYMMETRIC_BIARC):
+    if primitive in BIARCS:
         arcs = biarc.member(biarc.family(start, end), q)
         row[11], row[12], row[13], row[14] = arcs[4], arcs[5], arcs[12], arcs[13]
         return

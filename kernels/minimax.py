@@ -5,18 +5,10 @@ from __future__ import annotations
 import math
 
 from osculant.kernels import area_scan, biarc_moons, biarc_scan
-from osculant.kernels.bitangent import (
-    Pencil,
-    is_flat,
-    is_proper,
-    parabola,
-    pencil,
-    weight,
-)
+from osculant.kernels.bitangent import Pencil, is_flat, is_proper, parabola, pencil, weight
 from osculant.kernels.curve import Frame, Source
-from osculant.kernels.exchange import PARABOLA
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import AREA_PARABOLA, BIARC, EQUISYMMETRIC, EQUISYMMETRIC_BIARC, LEAST_AREA
+from osculant.kernels.primitives import BIARC, CONIC_AREAS, EQUISYMMETRIC_BIARC, PARABOLA
 from osculant.kernels.scan import GRID, Space, extremes, look, measure, members_through
 
 #: rounds of the search for Q, and its relative accuracy
@@ -40,7 +32,7 @@ def minimax(
         return biarc_scan.best(source, a, start, b, end, space)
     if primitive == EQUISYMMETRIC_BIARC:
         return biarc_moons.best(source, a, start, b, end, space)
-    if primitive in (AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA):
+    if primitive in CONIC_AREAS:
         return area_scan.best(primitive, source, a, start, b, end, space)
     pen = pencil(start, end, source[1][4])
     if is_flat(pen):

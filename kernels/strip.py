@@ -16,14 +16,12 @@ from osculant.kernels.curve import Source
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 from osculant.kernels.scan import Space
-from osculant.kernels.strip_series import COUNTS, POINTS
+from osculant.kernels.strip_series import COUNTS, MOST, POINTS
 
 #: rows of the scratch space: the lines and their derivatives along N, speed times half the panel, curvature,
 #: the sine of the angle from T₀; the strip, its derivative by Q, and their series
 L0, L1, L2, N0, N1, N2, SPEED, CURVATURE, SINE = 0, 1, 2, 3, 4, 5, 6, 7, 8
 STRIP, BY_Q, SERIES, BY_SERIES = 9, 10, 11, 12
-#: numbers of one row
-WIDTH = 24
 
 #: all rows, and one of them
 Lanes = np.ndarray[Any, Any]
@@ -33,7 +31,7 @@ Lane = np.ndarray[Any, Any]
 @kernel
 def lanes_of(space: Space) -> Lanes:
     """The scratch space for views as rows of quantities, a column for each node."""
-    return space[0].reshape((space[0].size // WIDTH, WIDTH))
+    return space[0].reshape((space[0].size // MOST, MOST))
 
 
 @kernel

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from osculant.cas.errors import DomainError
+from osculant.cas.errors import DomainError, UndecidedError
 from osculant.equal_errors import equalise
 from osculant.runs import Part, Progress, Run, share
 
@@ -57,7 +57,8 @@ def may_be_less(part: Part, run: Run, low: float, high: float, level: float) -> 
 def given_pieces(parts: Sequence[Part], count: int) -> list[Run]:
     """The runs of ``count`` pieces in all with the least greatest error; in each stretch all are equal.
 
-    Raises DomainError, saying the least number, if the stretches need more.
+    Raises DomainError, saying the least number, if the stretches need more, and UndecidedError if so many
+    were not found.
     """
     check_least(parts, count)
     counts = [count]
@@ -67,14 +68,17 @@ def given_pieces(parts: Sequence[Part], count: int) -> list[Run]:
     for _ in range(count - sum(counts)):  # errors equal in two stretches: no level has this number of pieces
         worst = max(range(len(runs)), key=lambda i: (runs[i].error, -len(runs[i])))
         runs[worst] = equalise(parts[worst], len(runs[worst]) + 1)
+    if not all(math.isfinite(run.error) for run in runs):
+        raise UndecidedError(
+            f"No {count} pieces with finite errors were found for the curve: ask for more pieces, "
+            "or for a tolerance."
+        )
     return runs
 
 
 def check_least(parts: Sequence[Part], count: int) -> None:
     """Raises DomainError if so many pieces are too few for the stretches, whatever their error."""
-    least = len(parts)
-    if count >= least:
-        least = sum(part.least for part in parts)
+    least = sum(part.least for part in parts)
     if count < least:
         because = f"it is split into {len(parts)} parts" if len(parts) > 1 else "it turns too far for fewer"
         raise DomainError(
@@ -96,7 +100,8 @@ def _counts(parts: Sequence[Part], count: int) -> list[int]:
         low, high = floor, math.inf
         level = max([2 * floor, *(_coarse_error(part) for part in searched)])
         for step in range(STEPS):
-            counts = [len(part.greedy(level * (1 - WINDOW), level)) for part in searched]
+            narrow = max(WINDOW * level, floor / 64)
+            counts = [len(part.greedy(level - narrow, level)) for part in searched]
             if sum(counts) <= rest:
                 best, high = counts, level
             else:
@@ -107,7 +112,11 @@ def _counts(parts: Sequence[Part], count: int) -> list[int]:
             if not low < level < high or step % 3 == 2:
                 level = math.sqrt(low * high) if math.isfinite(high) else 16 * low
     left = iter(best)
-    return [part.least if part.exact else next(left) for part in parts]
+    counts = [part.least if part.exact else next(left) for part in parts]
+    spare = count - sum(counts)
+    if spare >= len(parts):  # no more to be had from them, or not from rounding
+        counts = [n + spare * n // sum(counts) for n in counts]
+    return counts
 
 
 def _coarse_error(part: Part) -> float:

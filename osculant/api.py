@@ -54,8 +54,9 @@ def approximate(
         curve: with its interval.
         primitive: "parabola", "conic" (the default in the plane) or "biarc" (two circular arcs with a common
             tangent, each piece turning by less than π, and by less than 2π where the curve is a circle);
-            "best" chooses the one that takes the fewest numbers to store (`Spline.choice` says why); in
-            space "bihelix" (two helical arcs).
+            "best" chooses the one that takes the fewest numbers to store (`Spline.choice` tells them; of
+            equals the first named here), with the knots that ``split`` demands; in space "bihelix" (two
+            helical arcs).
         tolerance: the error allowed, 1e-6 unless ``pieces`` is given.
         pieces: a number of pieces instead of a tolerance: the least greatest error of a piece, for which all
             errors between two split points are equal.
@@ -72,7 +73,7 @@ def approximate(
             of the affine curvature for parabolas, vertices for biarcs, besides inflections and cusps);
             "never" only at inflections and cusps, which often saves a piece but nothing proves that the
             number is then the least.
-        split_at: parameter values that shall be knots besides.
+        split_at: parameter values that shall be knots besides, or one.
         progress: called now and then with the part done, 0…1.
 
     Returns a `Spline`: its pieces' errors are measured after the search, distances on common normals of
@@ -97,8 +98,9 @@ def approximate(
     >>> len(osc.approximate(spiral, "conic", 1e-4, metric="area"))
     13
     """
+    _check_curve(curve)
     wanted: dict[str, Any] = {
-        "pieces": pieces, "rule": rule, "metric": metric, "split_at": split_at, "progress": progress
+        "pieces": pieces, "rule": rule, "metric": metric, "split_at": _several(split_at), "progress": progress
     }  # fmt: skip
     primitive = primitive or _usual(curve)
     if isinstance(curve, SpaceCurve) or primitive == "bihelix":
@@ -133,6 +135,8 @@ def complexity(
     >>> complexity(curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic", metric="area").count(1e-6)
     33
     """
+    _check_curve(curve)
+    split_at = _several(split_at)
     primitive = primitive or _usual(curve)
     if isinstance(curve, SpaceCurve) or primitive == "bihelix":
         from osculant.space_approximation import complexity_in_space
@@ -144,6 +148,18 @@ def complexity(
     check_finite(curve)
     division = divide(curve, primitive, split_at)
     return complexity_of(curve, primitive, division, (1,) * len(division.stretches), next_term, metric)
+
+
+def _check_curve(curve: Any) -> None:
+    if not isinstance(curve, (PlaneCurve, SpaceCurve)):
+        raise DomainError(
+            f"The curve is {curve!r}: give what osculant.curve makes of formulas and the ends of an interval."
+        )
+
+
+def _several(split_at: Any) -> Sequence[Any]:
+    """The parameter values as a sequence, also if there is one only."""
+    return split_at if isinstance(split_at, Sequence) and not isinstance(split_at, str) else [split_at]
 
 
 def _usual(curve: PlaneCurve | SpaceCurve) -> str:

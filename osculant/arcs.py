@@ -10,16 +10,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from osculant.biarcs import Biarc
-from osculant.cas.errors import UndecidedError
 from osculant.codegen.jets import compile_jet
 from osculant.kernels import greedy
 from osculant.kernels.counting import count_larger
-from osculant.kernels.curve import JET_SIZE, Place
+from osculant.kernels.curve import JET_SIZE, Place, Source
 from osculant.kernels.given_knots import fit_arcs
 from osculant.kernels.primitives import BIARCS, PARABOLAS
 from osculant.kernels.quadrature import contents
 from osculant.pieces import Piece, classify
-from osculant.runs import Floats, Progress, Run, equal_parts
+from osculant.runs import Floats, Progress, Run, equal_parts, equal_shares, not_found, too_many
 from osculant.stretches import Frame
 
 if TYPE_CHECKING:
@@ -98,11 +97,21 @@ class Arcs:
     @cached_property
     def least(self) -> int:
         """How many pieces it takes however large their errors may be."""
-        return len(self.greedy(0.5 * BOUNDLESS / self.unit, BOUNDLESS / self.unit))
+        return len(self.greedy(math.inf, math.inf))
 
     @cached_property
     def _scratch(self) -> Floats:
         return np.empty((CHUNK, greedy.COLUMNS))
+
+    @cached_property
+    def source(self) -> Source:
+        """What kernels sample the curve by, with room for one jet."""
+        at = self.coordinates
+        return at.curve.compiled.address, at.place(self.stretch.bend), np.empty(JET_SIZE)
+
+    def frame_at(self, t: float) -> Local:
+        """The frame of the curve at t in the kernels' coordinates."""
+        return greedy.frame(self.source, t)
 
     def job(self, low: float, high: float) -> Job:
         """The kernel's arguments for the stretch from its beginning, for errors in the user's units."""
@@ -122,7 +131,8 @@ class Arcs:
 
     def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
         """The longest pieces within ``high``; raises UndecidedError where doubles cannot follow the curve."""
-        job = self.job(low, high)
+        most = BOUNDLESS / self.unit
+        job = self.job(min(low, 0.5 * most), min(high, most))
         tables, count, table = [], 0, self._scratch
         while job.a < job.stop:
             found, reached, _ = greedy.spline(*job, table)
@@ -131,18 +141,11 @@ class Arcs:
             if progress is not None:
                 progress((reached - self.ends[0]) / (job.stop - self.ends[0]))
             if found < CHUNK and reached < job.stop:
-                raise UndecidedError(
-                    f"No piece with an error of {high:g} or less was found for the curve after "
-                    f"t = {reached:.15g}, where double numbers cannot follow it: choose a split point there, "
-                    "or another interval."
-                )
+                raise not_found("piece", high, reached)
             if count > MOST_PIECES:
-                raise UndecidedError(
-                    f"More than {MOST_PIECES} pieces are needed: choose a larger tolerance "
-                    "or a shorter interval."
-                )
-            start = greedy.frame((job.address, job.place, np.empty(JET_SIZE)), reached)
-            job = job._replace(a=reached, start=start, length=table[found - 1, 1] - table[found - 1, 0])
+                raise too_many(MOST_PIECES)
+            length = table[found - 1, 1] - table[found - 1, 0]
+            job = job._replace(a=reached, start=self.frame_at(reached), length=length)
         return self._run(np.concatenate(tables))
 
     def at_least(self, high: float) -> int:
@@ -165,8 +168,7 @@ class Arcs:
         contents(self.fit.code, jet.address, self.coordinates.scale, times, total)
         if not (math.isfinite(total[-1]) and total[-1] > 0):
             return equal_parts(self.ends, count)
-        knots = np.interp(np.linspace(0.0, total[-1], count + 1), total, times)
-        knots[0], knots[-1] = self.ends
+        knots = equal_shares(times, total, count)
         return knots if (np.diff(knots) > 0).all() else equal_parts(self.ends, count)
 
     def starting_at(self, t: float) -> Stretch:
@@ -182,10 +184,9 @@ class Arcs:
         return replace(self.stretch, high=arb(t), b=t, end=self._frame(t))
 
     def _frame(self, t: float) -> Frame:
-        at, bend = self.coordinates, self.stretch.bend
-        source = (at.curve.compiled.address, at.place(bend), np.empty(JET_SIZE))
-        x, y, tx, ty = greedy.frame(source, t)
-        return Frame(at.user(x, y, bend), (tx, ty * bend))
+        bend = self.stretch.bend
+        x, y, tx, ty = self.frame_at(t)
+        return Frame(self.coordinates.user(x, y, bend), (tx, ty * bend))
 
     def _run(self, table: Floats) -> Run:
         reasons = table[:, greedy.REASON]

@@ -217,7 +217,6 @@ def quick_complexity(
 
     fit, order = choose(primitive, metric), _order(primitive, metric)
     power = fit.order / order  # of the content that C is
-    dimension = 2 if metric == "area" else 1
     jet = compile_jet(curve.coordinates, 5)  # owns the code at its address
     constants = []
     for stretch in division.stretches:
@@ -225,7 +224,7 @@ def quick_complexity(
         if stretch.kind == "generic":
             constant = predicted(fit.code, jet.address, scale, stretch.a, stretch.b) ** power
         # N = C ε^{−1/order} has no unit: the constant of the scaled curve belongs to the scaled tolerance
-        constant *= scale ** (-dimension / order)
+        constant *= scale ** (-fit.dimension / order)
         if math.isnan(constant):  # rounding beside a singular end: balls know better
             ends = stretch.low, stretch.high
             constant = float(complexity_constant(curve.balls, primitive, *ends, metric)[0])

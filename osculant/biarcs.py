@@ -35,7 +35,7 @@ class Biarc:
         end: last end point.
         tangents: unit tangents at start and junction.
         curvatures: signed curvatures of the two arcs, positive where they turn left.
-        error: Hausdorff distance to the curve, as estimated; 0 if the piece is exact.
+        error: Hausdorff distance to the curve, or the area between, as estimated; 0 if the piece is exact.
 
     >>> half = 0.5**0.5
     >>> ends = (1.0, 0.0), (half, half), (0.0, 1.0)

@@ -11,7 +11,6 @@ import numpy as np
 from osculant.arcs import Arcs, Coordinates
 from osculant.equal_errors import equalise
 from osculant.kernels import greedy
-from osculant.kernels.curve import JET_SIZE
 from osculant.start_points import Start, best_start, start_within
 from osculant.stretches import begun_at
 from osculant.tolerances import reserve, window
@@ -137,7 +136,7 @@ class Circuit:
     def _end(self, start: float, low: float, high: float, count: int) -> float | None:
         """Where so many greedy pieces end; None where doubles cannot follow the curve."""
         job = self._arcs.job(low, high)
-        frame = greedy.frame((job.address, job.place, np.empty(JET_SIZE)), start)
+        frame = self._arcs.frame_at(start)
         job = job._replace(
             a=start,
             start=frame,

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from osculant.runs import Floats, Part, Run
+from osculant.runs import Floats, Part, Run, equal_shares
 
 #: rounds of moving the knots; so many without a gain end them
 ROUNDS, PATIENCE = 60, 3
@@ -22,8 +22,9 @@ EQUAL = 1e-12
 ROUNDING = 4.0
 #: errors that do not agree to this, or to so many times the rounding noise, have not settled
 SETTLED, SETTLED_NOISE = 1e-9, 4.0
-#: the level of greedy pieces is bracketed to this ratio, in so many steps, to start from
-NARROW, STEPS = 1.05, 80
+#: the level of greedy pieces is bracketed to this ratio, in so many steps, to start from; the errors of
+#: pieces may be less than the level by this part
+NARROW, STEPS, WINDOW = 1 + 1e-5, 80, 1e-6
 
 
 def equalise(part: Part, count: int) -> Run:
@@ -48,13 +49,15 @@ def equalise(part: Part, count: int) -> Run:
 
 
 def _is_equal(part: Part, run: Run) -> bool:
-    gap = run.error - float(run.errors.min())
-    return gap <= max(SETTLED * run.error, SETTLED_NOISE * part.noise)
+    gap = run.error - float(run.errors.min())  # NaN if all are infinite
+    return math.isfinite(gap) and gap <= max(SETTLED * run.error, SETTLED_NOISE * part.noise)
 
 
 def _settled(part: Part, knots: Floats) -> Run:
     """Move the knots until the errors are equal, or no longer get more so; less far where that failed."""
     best = part.fitted(knots)
+    if not math.isfinite(best.error):
+        return best
     way, stale = 1.0, 0
     for _ in range(ROUNDS):
         gap = best.error - float(best.errors.min())
@@ -75,36 +78,25 @@ def _settled(part: Part, knots: Floats) -> Run:
 def _equal_content(run: Run, order: int) -> Floats:
     """Knots of equal content, if every piece had its content spread evenly."""
     contents = run.errors ** (1.0 / order)
-    finite = np.isfinite(contents)
-    if not finite.any():
-        contents = np.ones_like(contents)
-    elif not finite.all():  # too long for a piece: how much too long is not known
-        contents = np.where(finite, contents, 2.0 * contents[finite].max())
     total = np.concatenate([[0.0], np.cumsum(contents)])
-    knots = np.interp(np.linspace(0.0, total[-1], len(total)), total, run.knots)
-    knots[0], knots[-1] = run.knots[0], run.knots[-1]
-    return knots
+    return equal_shares(run.knots, total, len(run))
 
 
 def _greedy_knots(part: Part, count: int) -> Floats:
-    """Knots of greedy pieces at a level where there are ``count`` of them, or, cut in two, so many."""
-    low, high = 0.0, math.inf
-    errors = part.fitted(part.spread(count)).errors
-    level = max(float(min(errors[np.isfinite(errors)], default=1.0)), 16 * part.noise)
-    run = part.greedy(level / NARROW, level)
+    """Knots of greedy pieces at the least level where there are ``count`` of them, or, cut, so many."""
+    best = part.greedy(math.inf, math.inf)
+    low, high = part.noise, best.error
     for _ in range(STEPS):
-        if len(run) == count:
+        if high <= low * NARROW:
             break
-        if len(run) > count:
-            low = level
+        level = math.sqrt(low * high)
+        run = part.greedy(level * (1 - WINDOW), level)
+        if len(run) <= count:
+            best, high = run, min(level, run.error)
         else:
-            high = level
-        if high < low * NARROW:
-            break
-        level = math.sqrt(low * high) if low > 0.0 and high < math.inf else level * (4.0 if low else 0.25)
-        run = part.greedy(level / NARROW, level)
-    knots = run.knots
+            low = level
+    knots = best.knots
     while len(knots) <= count:  # cut the longest
         i = int(np.argmax(np.diff(knots)))
         knots = np.insert(knots, i + 1, 0.5 * (knots[i] + knots[i + 1]))
-    return knots if len(knots) == count + 1 else part.spread(count)
+    return knots

@@ -15,7 +15,8 @@ from osculant.kernels.curve import JET_SIZE, sample_many
 from osculant.kernels.primitives import BIARCS
 from osculant.pieces import Piece
 from osculant.primitives import PRIMITIVES
-from osculant.runs import Floats, Progress, Run, equal_parts
+from osculant.runs import Floats, Progress, Run, equal_parts, equal_shares
+from osculant.stretches import INSIDE
 
 if TYPE_CHECKING:
     from osculant.primitives import Fit
@@ -23,8 +24,8 @@ if TYPE_CHECKING:
 
 #: panels and nodes of the quadrature of affine length along an exact arc
 PANELS, NODES = 64, 8
-#: where in an arc its conic or circle is read off
-INSIDE = 0.4871
+#: an arc of a conic turns at most by this: it is bounded up to 2π, and well-conditioned up to here
+WIDEST = 1.5 * math.pi
 #: errors of arcs of the curve itself below so many times the noise, the floor of tolerances, are rounding
 RESOLVED = 250.0
 
@@ -52,17 +53,14 @@ class Segments:
 
     def spread(self, count: int) -> Floats:
         """Knots that divide the segment equally."""
-        a, b = self.ends
         if count == 1:
-            return np.array([a, b])
+            return np.array(self.ends)
         # in its length, whatever the parameter
         times = equal_parts(self.ends, PANELS * count)
         points = _sampled(self.coordinates, times)[:, [0, 3]]
         start = np.array(self.stretch.start.point)
         reached = np.hypot(*(points - start).T)
-        knots = np.interp(np.linspace(0.0, reached[-1], count + 1), np.maximum.accumulate(reached), times)
-        knots[0], knots[-1] = a, b
-        return knots
+        return equal_shares(times, np.maximum.accumulate(reached), count)
 
     def pieces(self, run: Run) -> list[Piece]:
         """The segments themselves."""
@@ -115,22 +113,28 @@ class ExactArcs(Arcs):
             return float(getattr(self.coordinates.curve.balls.jet(inside, 4), name).mid())
 
     @cached_property
+    def _turning(self) -> float:
+        """A conic turns by π over the affine length π/√k."""
+        return float(self._lengths[1][-1]) * math.sqrt(max(self._constant("affine_curvature"), 0.0))
+
+    @cached_property
+    def usual(self) -> int:
+        """How many pieces there are unless a number is given: they turn by less than `Primitive.turning`."""
+        return _parts(self._turning / PRIMITIVES[self.primitive].turning)
+
+    @cached_property
     def least(self) -> int:
-        """How many pieces turn by less than is allowed: a conic turns by π over the affine length π/√k."""
-        k = self._constant("affine_curvature")
-        turns = float(self._lengths[1][-1]) * math.sqrt(max(k, 0.0)) / PRIMITIVES[self.primitive].turning
-        return math.floor(turns + 1e-9) + 1  # a turning of exactly so much is one too much
+        """How many pieces can be asked for: a conic's weight is −1/√2 where it turns by `WIDEST`."""
+        return _parts(self._turning / max(WIDEST, PRIMITIVES[self.primitive].turning))
 
     def spread(self, count: int) -> Floats:
         """Knots of equal affine lengths."""
         edges, lengths, _ = self._lengths
-        knots = np.interp(np.linspace(0.0, lengths[-1], count + 1), lengths, edges)
-        knots[0], knots[-1] = self.ends
-        return knots
+        return equal_shares(edges, lengths, count)
 
     def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
         """As few pieces as the turning allows, or, if doubles cannot follow those, as to any curve."""
-        run = self.fitted(self.spread(self.least))
+        run = self.fitted(self.spread(self.usual))
         if run.error <= high:
             return run
         return replace(super().greedy(low, high, progress), limited=True)
@@ -150,21 +154,19 @@ class ExactArcs(Arcs):
 
     def _frames(self, knots: Floats) -> list[Local]:
         stretch, at = self.stretch, self.coordinates
-        source = (at.curve.compiled.address, at.place(stretch.bend), np.empty(JET_SIZE))
-        inner = [greedy.frame(source, t) for t in knots[1:-1]]
+        inner = map(self.frame_at, knots[1:-1])
         return [at.local(stretch.start, stretch.bend), *inner, at.local(stretch.end, stretch.bend)]
 
     def _conics(self, knots: Floats) -> tuple[Floats, Floats]:
         """Rows of the conics through an inner point each, and how far the curve is from them."""
-        at = self.coordinates
-        source = (at.curve.compiled.address, at.place(self.stretch.bend), np.empty(JET_SIZE))
+        noise = self.coordinates.noise
         space, frames = scan.workspace(), self._frames(knots)
         rows = np.empty((len(knots) - 1, greedy.COLUMNS))
         for row, a, b, start, end in zip(rows, knots, knots[1:], frames, frames[1:]):
-            pencil = bitangent.pencil(start, end, at.noise)
-            q = bitangent.through(bitangent.view(pencil, source, a + INSIDE * (b - a)))
-            off = scan.measure(pencil, q, source, a, b, scan.GRID, space)
-            greedy.record(self.fit.code, row, a, b, q, off, 0, start, end, at.noise)
+            pencil = bitangent.pencil(start, end, noise)
+            q = bitangent.through(bitangent.view(pencil, self.source, a + INSIDE * (b - a)))
+            off = scan.measure(pencil, q, self.source, a, b, scan.GRID, space)
+            greedy.record(self.fit.code, row, a, b, q, off, 0, start, end, noise)
         return rows, rows[:, greedy.ERROR]
 
     def _circles(self, knots: Floats) -> tuple[Floats, Floats]:
@@ -173,14 +175,14 @@ class ExactArcs(Arcs):
         edges, lengths, _ = self._lengths
         at_knots = np.interp(knots, edges, lengths)
         middles = np.interp((at_knots[:-1] + at_knots[1:]) / 2, lengths, edges)
-        frames, junctions = np.array(self._frames(knots)), np.array(self._frames_at(middles))
+        frames, junctions = np.array(self._frames(knots)), np.array([self.frame_at(t) for t in middles])
         rows = np.zeros((len(knots) - 1, greedy.COLUMNS))
         rows[:, 0], rows[:, 1], rows[:, 2] = knots[:-1], knots[1:], 0.5
         rows[:, 5:9], rows[:, 9:11] = frames[:-1], frames[1:, :2]
         rows[:, 11:13], rows[:, 13:15] = junctions[:, :2], bend
         parts = np.linspace(0.0, 1.0, scan.GRID)
         times = knots[:-1, None] + np.diff(knots)[:, None] * parts
-        points = np.array(self._frames_at(times.ravel()))[:, :2].reshape(*times.shape, 2)
+        points = np.array([self.frame_at(t)[:2] for t in times.ravel()]).reshape(*times.shape, 2)
         (x, y), (tx, ty) = (
             np.moveaxis(points - frames[:-1, None, :2], -1, 0),
             frames[:-1, 2:, None].swapaxes(0, 1),
@@ -190,10 +192,10 @@ class ExactArcs(Arcs):
         rows[:, greedy.ERROR] = distance.max(axis=1)
         return rows, rows[:, greedy.ERROR]
 
-    def _frames_at(self, times: Floats) -> list[Local]:
-        at = self.coordinates
-        source = (at.curve.compiled.address, at.place(self.stretch.bend), np.empty(JET_SIZE))
-        return [greedy.frame(source, t) for t in times]
+
+def _parts(turns: float) -> int:
+    """How many parts take less than 1 each; exactly 1 is too much."""
+    return math.floor(turns + 1e-9) + 1
 
 
 def _sampled(coordinates: Coordinates, times: Floats) -> Floats:

@@ -11,8 +11,9 @@ import numpy as np
 
 from osculant.helix_pieces import HelixArc, SpacePiece, Vector
 from osculant.kernels.space_curve import JET_SIZE, sample_many
-from osculant.runs import Floats, Progress, Run
+from osculant.runs import Floats, Progress, Run, equal_shares
 from osculant.space_stretches import SpaceFrame
+from osculant.stretches import INSIDE
 
 if TYPE_CHECKING:
     from osculant.space import SpaceCurve
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
 
 #: panels, of the stretch and per piece, and nodes of the quadrature of arc length
 PANELS, PANELS_PER_PIECE, NODES = 256, 4, 8
-#: where in a stretch the constants of a helix are read off
-INSIDE = 0.4871
 #: one arc turns by at most this part of 2π
 WHOLE_TURN = 1 - 1e-9
 
@@ -61,9 +60,7 @@ class SpaceSegments:
         sample_many(self.curve.compiled.address, times.ravel(), jets)
         speed = np.sqrt(np.square(jets[:, 1::4]).sum(axis=1)).reshape(times.shape)
         lengths = np.concatenate([[0.0], np.cumsum(half * (speed @ weights))])
-        knots = np.interp(np.linspace(0.0, lengths[-1], count + 1), lengths, edges)
-        knots[0], knots[-1] = self.ends
-        return knots
+        return equal_shares(edges, lengths, count)
 
     def pieces(self, run: Run) -> list[SpacePiece]:
         """The segments themselves."""

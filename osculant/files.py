@@ -34,7 +34,7 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
     """Write a file by way of a temporary one in the same folder: readers see all of it, or the old one.
 
     Args:
-        path: where to write; a link is followed, an existing file is replaced.
+        path: where to write; a link is followed, an existing file is replaced, but no device or pipe.
         content: text, written as UTF-8 its line ends kept, or bytes.
 
     Raises:
@@ -51,6 +51,8 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
     try:
         if target.is_dir():
             raise IsADirectoryError(0, "Is a directory")
+        if target.exists() and not target.is_file():
+            raise OSError(0, "Not an ordinary file")
         with temporary.open("xb") as file:  # opened by name, so that the user's umask sets the permissions
             file.write(data)
         os.replace(temporary, target)

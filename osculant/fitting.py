@@ -47,7 +47,7 @@ class Fitting:
         self.coordinates = Coordinates(curve, size)
         self.parts = [self.part(stretch) for stretch in division.stretches]
         self.certain = True
-        self.circuit = None
+        self.circuit: Circuit | None = None
         self.gap: float | None = None
         if division.free and division.stretches[0].kind == "generic":
             self.circuit = Circuit(self.coordinates, fit, division)
@@ -101,10 +101,10 @@ class Fitting:
     def _without_window(self, runs: list[Run], tolerance: float) -> list[Run]:
         """The runs, or those of one piece less if only the window of the search was in their way."""
         count = sum(map(len, runs)) - 1
-        low, high = (end / count for end in window(tolerance, self.size.rounding(2))) if count else (0.0, 0.0)
         self.certain = not any(run.limited for run in runs)
         if count < sum(part.least for part in self.parts):
             return runs
+        low, high = (end / count for end in window(tolerance, self.size.rounding(2)))
         if self._at_least(high) > count:
             return runs
         trial = [part.greedy(low, high) for part in self.parts]
@@ -150,11 +150,10 @@ class Fitting:
             if start is None:
                 self.certain &= decided
                 break
-            begun, certain = self.division, self.certain
+            before, certain = (self.parts, self.division), self.certain
             fewer = self._fewer_from(start, level(count), count) or self.of_number(count)
             if not whole_error(fewer, self.fit.dimension) <= tolerance:
-                self._begin_at(begun.stretches[0].a)
-                self.certain, self.gap = False, NEAR
+                (self.parts, self.division), self.certain, self.gap = before, False, None
                 break
             runs, self.certain, self.gap = fewer, certain, None
         return runs

@@ -62,7 +62,7 @@ class Piece:
         end: last end point P₂.
         middle: homogeneous control point M = wP₁; of a segment its midpoint.
         weight: w > −1; of a parabola or a segment 1.
-        error: Hausdorff distance to the curve, as estimated; 0 if the piece is exact.
+        error: Hausdorff distance to the curve, or the area between, as estimated; 0 if the piece is exact.
 
     Raises:
         DomainError: a weight at which the arc is not bounded.

@@ -16,12 +16,17 @@ from osculant.request import requested
 from osculant.runs import whole_error
 from osculant.spline import Spline
 from osculant.stretches import check_finite, divide
-from osculant.tolerances import check_floor, reserve
+from osculant.tolerances import FLOOR_ULPS, check_floor, reserve
 
 if TYPE_CHECKING:
+    from osculant.extent import Extent
     from osculant.fitting import Fitting
     from osculant.plane import PlaneCurve
+    from osculant.primitives import Fit
     from osculant.runs import Progress, Run
+
+#: of smaller curves, and of those larger than its inverse, no areas are computed
+SMALLEST = 1e-130
 
 
 def approximate_in_plane(
@@ -46,6 +51,7 @@ def approximate_in_plane(
     from osculant.fitting import Fitting  # these load the kernels: only once something is to be fitted
 
     size = extent(curve)
+    check_areas(curve, size, fit)
     rounding = size.rounding(fit.dimension)
     if count is None:
         check_floor(allowed, rounding, size.largest)
@@ -81,6 +87,15 @@ def approximate_in_plane(
     )
 
 
+def check_areas(curve: PlaneCurve, size: Extent, fit: Fit) -> None:
+    """Raises DomainError if errors are areas and doubles cannot hold those of a curve of this size."""
+    if fit.dimension == 2 and not SMALLEST < size.size < 1 / SMALLEST:
+        raise DomainError(
+            f"The curve {curve.text} has the size {size.size:.3g}, and areas of such curves leave the range "
+            "of double numbers: scale it."
+        )
+
+
 def _minimal(
     fitting: Fitting, runs: list[Run], by_tolerance: bool
 ) -> Literal["proved", "by theory", "unknown"]:
@@ -90,6 +105,8 @@ def _minimal(
         return "unknown"
     if count == len(division.stretches) if by_tolerance else whole_error(runs, 1) == 0:
         return "proved"  # every stretch takes at least one piece, and no error is less than 0
+    if not by_tolerance and whole_error(runs, 1) < FLOOR_ULPS * fitting.size.rounding(fitting.fit.dimension):
+        return "unknown"  # errors that rounding may have made
     if not fitting.certain or division.unsplit or any(part.exact for part in fitting.parts):
         return "unknown"
     return "by theory"

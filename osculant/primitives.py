@@ -88,7 +88,10 @@ def choose(primitive: str, metric: str, rule: str | None = None) -> Fit:
     True
     """
     if primitive not in PRIMITIVES:
-        raise DomainError(f"The primitive {primitive!r} is unknown: choose one of {', '.join(PRIMITIVES)}.")
+        raise DomainError(
+            f"The primitive {primitive!r} is unknown: choose one of {', '.join(PRIMITIVES)} "
+            "(or best, to approximate)."
+        )
     if metric not in METRICS:
         raise DomainError(f"The metric {metric!r} is unknown: choose one of {', '.join(METRICS)}.")
     rules = PRIMITIVES[primitive].fits[metric]

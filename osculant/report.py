@@ -89,10 +89,10 @@ def print_spline(spline: SplineFacts, seconds: float, files: Sequence[str]) -> N
         *_choice(spline),
         *_size(spline),
         *_error(spline),
-        ("minimal", f"{spline.minimal}{' (the error)' if spline.given == 'pieces' else ''}"),
+        ("minimal", _minimal(spline)),
         *_closing(spline),
         ("split points", _listed(spline.splits)),
-        *([("split", UNSPLIT)] if spline.split == "never" else []),
+        *([("split", UNSPLIT)] if spline.split == "never" and spline.minimal == "unknown" else []),
         *([("undecided", _listed(spline.undecided))] if spline.undecided else []),
         ("time", f"{seconds:.3g} s"),
         *(("written", printable(file)) for file in files),
@@ -117,6 +117,16 @@ def _choice(spline: SplineFacts) -> list[tuple[str, str]]:
     if spline.rule not in (None, usual):
         rows.append(("rule", str(spline.rule)))
     return rows
+
+
+def _minimal(spline: SplineFacts) -> str:
+    """Whether the number of pieces is the least, or what else is, and among which splines."""
+    if spline.minimal == "unknown":
+        return spline.minimal
+    if spline.given == "pieces":
+        return f"{spline.minimal} (the largest error of a piece)"
+    shares = spline.metric == "area" and spline.splits and spline.minimal != "proved"
+    return f"{spline.minimal}{' (with at most tolerance/pieces each)' if shares else ''}"
 
 
 def _size(spline: SplineFacts) -> list[tuple[str, str]]:

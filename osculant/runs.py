@@ -9,6 +9,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from osculant.cas.errors import UndecidedError
+
 Floats = np.ndarray[Any, Any]
 Progress = Callable[[float], None]
 
@@ -58,10 +60,6 @@ class Part(Protocol):
         """The error of one short arc is of this order in its length."""
 
     @property
-    def ends(self) -> tuple[float, float]:
-        """The parameters where it begins and ends."""
-
-    @property
     def noise(self) -> float:
         """What rounding does to the error of a piece, in the user's units."""
 
@@ -105,6 +103,17 @@ def equal_parts(ends: tuple[float, float], count: int) -> Floats:
     return knots
 
 
+def equal_shares(times: Floats, total: Floats, count: int) -> Floats:
+    """Knots that divide equally what has come together at increasing times; the ends are kept.
+
+    >>> equal_shares(np.array([0.0, 1.0, 2.0]), np.array([0.0, 3.0, 4.0]), 2).round(6).tolist()
+    [0.0, 0.666667, 2.0]
+    """
+    knots = np.interp(np.linspace(0.0, total[-1], count + 1), total, times)
+    knots[0], knots[-1] = times[0], times[-1]
+    return knots
+
+
 def share(error: float, level: float, order: int) -> float:
     """What part of a full piece one with this error is, at most 1.
 
@@ -117,3 +126,18 @@ def share(error: float, level: float, order: int) -> float:
 def share_of(progress: Progress | None, i: int, count: int) -> Progress | None:
     """The progress of one stretch of so many, the i-th from 0, as that of the whole."""
     return None if progress is None else lambda done: progress((i + done) / count)
+
+
+def not_found(what: str, high: float, at: float) -> UndecidedError:
+    """The error of greedy pieces that end where doubles cannot follow the curve."""
+    return UndecidedError(
+        f"No {what} with an error of {high:g} or less was found for the curve after t = {at:.15g}, "
+        "where double numbers cannot follow it: choose a split point there, or another interval."
+    )
+
+
+def too_many(most: int) -> UndecidedError:
+    """The error of a search that is given up at so many pieces."""
+    return UndecidedError(
+        f"More than {most} pieces are needed: choose a larger tolerance or a shorter interval."
+    )

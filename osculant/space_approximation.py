@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from osculant.asymptotics import Complexity
-from osculant.cas.errors import DomainError, UndecidedError
+from osculant.cas.errors import DomainError
 from osculant.closing import ends_meet
 from osculant.formula_curve import FormulaCurve
 from osculant.prediction import Prediction
@@ -99,10 +98,6 @@ def approximate_in_space(
     else:
         runs = fitting.of_number(count)
         error = max(run.error for run in runs)
-        if math.isinf(error):
-            raise UndecidedError(
-                f"No spline of {count} bihelices was found for the curve {curve.text}: ask for more pieces."
-            )
         allowed = error + reserve(error, size.rounding)
     made = tuple(fitting.pieces(runs))
     least = tuple(part.least if part.exact else 1 for part in fitting.parts)

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from osculant.cas.errors import UndecidedError
 from osculant.helix_pieces import HelixArc, SpacePiece, Vector
 from osculant.kernels import bihelix_spline
 from osculant.kernels.bihelix_given import contents, fit_arcs
 from osculant.kernels.helix import HELIX_SIZE
-from osculant.runs import Floats, Progress, Run, equal_parts
+from osculant.runs import Floats, Progress, Run, equal_parts, equal_shares, not_found, too_many
 
 if TYPE_CHECKING:
     from osculant.kernels.space_curve import Frame, Place
@@ -69,16 +68,9 @@ class SpaceArcs:
             if progress is not None:
                 progress((reached - a) / (b - a))
             if found < CHUNK and reached < b:
-                raise UndecidedError(
-                    f"No bihelix with an error of {high:g} or less was found for the curve after "
-                    f"t = {reached:.15g}, where double numbers cannot follow it: choose a split point there, "
-                    "or another interval."
-                )
+                raise not_found("bihelix", high, reached)
             if count > MOST_PIECES:
-                raise UndecidedError(
-                    f"More than {MOST_PIECES} pieces are needed: choose a larger tolerance "
-                    "or a shorter interval."
-                )
+                raise too_many(MOST_PIECES)
             start = tuple(table[found - 1, 41:47].tolist())
             length = float(table[found - 1, 1] - table[found - 1, 0])
         return _run(np.concatenate(tables))
@@ -101,8 +93,7 @@ class SpaceArcs:
         contents(self.order, self.curve.compiled.address, self.place, times, total)
         if not total[-1] > 0:
             return equal_parts(self.ends, count)
-        knots = np.interp(np.linspace(0.0, total[-1], count + 1), total, times)
-        knots[0], knots[-1] = self.ends
+        knots = equal_shares(times, total, count)
         return knots if (np.diff(knots) > 0).all() else equal_parts(self.ends, count)
 
     def pieces(self, run: Run) -> list[SpacePiece]:

@@ -55,8 +55,8 @@ class Spline(SplineFacts):
         split: "theory", or "never" if no knot was demanded where theory wants one to prove that the number
             is minimal.
         given: what was asked for, "tolerance" or "pieces".
-        gap: of a closed curve that may begin anywhere, by what part of itself the error might be smaller from
-            another start; None where the start does not matter.
+        gap: of a given number of pieces on a closed curve that may begin anywhere: by what part of itself the
+            error might be smaller from another start. Else None; by tolerance ``minimal`` says all.
         choice: what each primitive takes, if the choice was left to `osculant.approximate`.
 
     >>> pieces = (

@@ -19,7 +19,7 @@ class PieceFacts(Protocol):
 
     @property
     def error(self) -> float:
-        """Its distance from the curve."""
+        """Its error: a distance, or an area."""
 
     def to_json(self) -> dict[str, Any]:
         """The piece as plain data."""
@@ -42,7 +42,7 @@ class Prediction(Protocol):
 
     @property
     def predicted_pieces(self) -> int:
-        """The sum of its ceilings over the stretches."""
+        """The same in whole pieces, rounded up on each stretch."""
 
     @property
     def predicted_error(self) -> float:

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 #: derivatives tried for the limit tangent at a cusp
 CUSP_ORDERS = 9
+#: where in a stretch or an arc is read off what is the same everywhere: at no special place
+INSIDE = 0.4871
 
 Vector = tuple[float, float]
 Kind = Literal["generic", "segment", "exact"]
@@ -135,9 +137,10 @@ def divide(
             splits, cuts = cut(curve, found, split_at, low, high)
             knots = [(point.at, point) for point in cuts]
         stretches = tuple(_stretch(curve, *before, *after, kind) for before, after in pairwise(knots))
-        left_out = [as_float(point.at) for point in every if point.kinds <= skipped]
+        passed = [point.at for point in every if point.kinds <= skipped]
         if closing == "smooth":
-            left_out += [as_float(point.at + (high - low)) for point in every if point.kinds <= skipped]
+            passed += [at + (high - low) for at in passed]
+        left_out = list(map(as_float, passed))
     free = closing == "smooth" and not splits
     known = set[float]() if free else {part.a for part in stretches}
     return Division(
@@ -199,7 +202,7 @@ def _stretch(
     curve: PlaneCurve, low: Any, start: SpecialPoint, high: Any, end: SpecialPoint, kind: Kind
 ) -> Stretch:
     """The stretch from low to high, where the curve is at the points ``start`` and ``end``."""
-    inside = low + (high - low) * 0.4871
+    inside = low + (high - low) * INSIDE
     bend = curve.balls.jet(inside.mid(), 2).inflection_form
     return Stretch(
         low,

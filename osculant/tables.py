@@ -233,7 +233,7 @@ def compute(number: str, progress: Callable[[float], None] | None = None) -> Com
     printed = PRINTED[number]
     cells: list[Cell] = []
     constants: dict[str, Constant] = {}
-    columns = len(printed.readings) * sum(map(len, printed.theory.values())) * 2
+    every = len(printed.readings) * sum(map(len, printed.theory.values())) * 2
     for reading in printed.readings:
         ends = printed.parts(reading)
         subjects = [curve(printed.formula, low, high) for low, high, _ in ends]
@@ -248,7 +248,7 @@ def compute(number: str, progress: Callable[[float], None] | None = None) -> Com
             for place in range(len(theory)):
                 cells += _row(printed, reading, primitive, place, list(zip(subjects, splits, laws)))
                 if progress is not None:
-                    progress(len(cells) / columns)
+                    progress(len(cells) / every)
     return ComputedTable(printed, tuple(cells), tuple(constants.values()))
 
 

@@ -110,4 +110,5 @@ def joined(first: Run, second: Run) -> Run:
         errors=np.concatenate([first.errors, second.errors]),
         rows=np.concatenate([first.rows, second.rows]),
         limited=first.limited or second.limited,
+        early=first.early or second.early,
     )

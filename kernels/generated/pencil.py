@@ -25,15 +25,14 @@ def displacement(Q: float, l0: float, l1: float, l2: float, n0: float, n1: float
     _v0 = 4.0*Q
     _v1 = _v0*l0
     _v2 = _v0*l2*n0 + _v1*n2 - 2.0*l1*n1
-    _v3 = -_v2
-    _v4 = (l1 * l1)
-    _v5 = math.copysign(math.sqrt((_v3 * _v3) - (-_v1*l2 + _v4)*(-16.0*Q*n0*n2 + 4.0*(n1 * n1))), _v3)
-    _v6 = (8.0*Q*l0*l2 - 2.0*_v4)/(-_v2 + _v5)
-    _v7 = (1.0 / _v5)
-    _v8 = _v6*n0 + l0
-    _v9 = _v6*n2 + l2
-    _v10 = _v6*n1 + l1
-    return _v6, 4.0*_v7*_v8*_v9, -_v7*speed*(-_v6*curvature + 1.0)*(-_v0*_v8*t2 - _v0*_v9*t0 + 2.0*_v10*t1), _v8, _v10, _v9
+    _v3 = (l1 * l1)
+    _v4 = math.sqrt((_v2 * _v2) - (-_v1*l2 + _v3)*(-16.0*Q*n0*n2 + 4.0*(n1 * n1)))
+    _v5 = (8.0*Q*l0*l2 - 2.0*_v3)/(-_v2 - _v4)
+    _v6 = (1.0 / _v4)
+    _v7 = _v5*n0 + l0
+    _v8 = _v5*n2 + l2
+    _v9 = _v5*n1 + l1
+    return _v5, -4.0*_v6*_v7*_v8, _v6*speed*(-_v5*curvature + 1.0)*(-_v0*_v7*t2 - _v0*_v8*t0 + 2.0*_v9*t1), _v7, _v9, _v8
 
 
 @kernel

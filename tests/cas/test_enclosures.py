@@ -62,6 +62,8 @@ def test_a_wide_coefficient_is_any_function_between_its_bounds():
 def test_no_bound_where_the_denominator_has_a_zero():
     with precision(64):
         assert not supremum(arb_poly([1]), arb_poly([0, 1]), close, work=50).upper.is_finite()
+        unknown = arb_poly([1, 0, 0, arb("nan")])  # what is not known is not taken for small
+        assert not supremum(unknown, arb_poly([1]), close, work=50).upper.is_finite()
 
 
 def test_work_is_bounded_and_what_is_left_is_still_a_bound():

@@ -118,6 +118,13 @@ def test_areas_scale_with_the_square(scale):
     assert spline.error == pytest.approx(usual.error * size**2, rel=1e-6)
 
 
+@pytest.mark.parametrize("scale", ["1e-200", "1e200"])
+def test_areas_beyond_doubles_are_refused(scale):
+    for primitive in ("parabola", "conic", "biarc"):
+        with pytest.raises(DomainError, match="leave the range of double numbers: scale it"):
+            osc.approximate(osc.curve(f"{scale}*cos(t), {scale}*t", 0, 1), primitive, pieces=8, metric="area")
+
+
 def test_bad_choices():
     curve = osc.curve(*SPIRAL)
     with pytest.raises(DomainError, match="metric 'volume' is unknown: choose one of hausdorff, area"):

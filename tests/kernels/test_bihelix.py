@@ -91,11 +91,14 @@ def independent_error(row, jet, count):
 def check_chain(table, jet):
     """End to end: points and tangents of curve and helices, in the order of the table."""
     previous = None
+    largest = 2 * max(abs(jet(t)[:, 0]).max() for t in table[:, :2].ravel())  # rounding is that of the whole
     for row in table:
         left, right = helices(row)
         size = left[13] + right[13]
-        largest = abs(jet(row[0])[:, 0]).max() + abs(jet(row[1])[:, 0]).max()
-        near = 1e-11 * size + 1e-14 * largest
+        # helices between nearly equal tangents are known up to the rounding of those
+        tangents = np.array([left[3:6], right[3:6], row[44:47]])
+        change = max(1e-16, np.linalg.norm(np.diff(tangents, axis=0), axis=1).min())
+        near = (1e-11 + min(1e-9, 4e-16 / change)) * size + 1e-14 * largest
         ends = [helix_points(h, np.array([0.0, h[13]])) for h in (left, right)]
         assert np.linalg.norm(ends[0][0][0] - jet(row[0])[:, 0]) <= near
         assert np.linalg.norm(ends[0][0][1] - ends[1][0][0]) <= near
@@ -213,7 +216,57 @@ def test_random_smooth_curves(c, tolerance, rule):
     assert table[:, 2].max() <= tolerance
     for row in table[:: max(1, len(table) // 4)]:
         found = independent_error(row, jet, 4001)
-        assert found == pytest.approx(row[2], rel=1e-4, abs=1e-9)
+        chords = max(h[15] * (h[13] / 2000) ** 2 / 8 for h in helices(row))  # of the oracle's polygons
+        assert found == pytest.approx(row[2], rel=1e-4, abs=1e-9 + 2 * chords)
+
+
+@BOTH
+def test_short_arcs_from_an_inflection_have_a_bihelix(rule):
+    text = "t, sin(2*t), t^3+sin(3*t)"  # κ = 0 with torsion at 0: the junction planes are nearly parallel
+    jet, source, left, _, lengths = one_arc(text, 0.0, 1.0)
+    slope = 829**0.5 / 14**2  # κ′ at 0
+    for b in (0.004, 0.01, 0.02, 0.05):
+        right = frame(source, b)
+        sigma = arc_length.measure_lengths(source, 0.0, b, lengths)
+        first, second, _, trusted, _ = best(rule, source, 0.0, left, b, right, 0.0, 1e-6, 8, lengths)
+        assert trusted
+        law = slope * sigma**3 / 324
+        assert 0.9 * law <= max(first, second) <= (1.1 if rule == EQUIOSCILLATING else 2.0) * law
+    assert jet.address == source[0]
+    for tolerance in (1e-1, 1e-2, 1e-4, 1e-6):
+        table, jet = spline_of(text, 0.0, 2.0, tolerance, rule)
+        check_chain(table, jet)
+        for row in table[:3]:
+            assert row[2] <= tolerance
+            assert independent_error(row, jet, 8001) == pytest.approx(row[2], rel=1e-4, abs=1e-9)
+            assert row[1] - row[0] > 0.2 * tolerance ** (1 / 3)
+
+
+def test_a_helix_that_no_point_of_the_curve_sees_is_not_trusted():
+    text = smooth_text((0, 0, 0, 0, 0, 0, 1, 1, 0))
+    a, b = 0.590424034, 1.29040685
+    jet, source, left, right, lengths = one_arc(text, a, b)
+    sigma = arc_length.measure_lengths(source, a, b, lengths)
+    found, two = bihelix(THESIS, source, a, left, b, right, sigma, 0.0, lengths)
+    assert found
+    assert two[2] - a < 1e-8  # the junction is behind the left end, and the left helix turns by 6 radians
+    first, second, trusted = peaks(source, a, b, two, 8)
+    careful = two_sided(source, a, b, sigma, two)
+    assert careful > 3 * max(first, second)
+    assert not trusted
+    table = np.empty((1, bihelix_spline.COLUMNS))
+    place = (0.0, 0.0, 0.0, 1.0, NOISE)
+    start, last = end_frame(jet, a), end_frame(jet, b)
+    bihelix_spline.spline(THESIS, jet.address, place, a, start, b, last, 0.9, 1.0, 0.0, table)
+    assert table[0, 2] == pytest.approx(independent_error(table[0], jet, 8001), rel=1e-5)
+
+
+@BOTH
+def test_chords_of_unevenly_run_lines(rule):
+    table, jet = spline_of("t^3+t, 2*t^3+2*t, 1+0*t", -0.5, 2.0, 1e-6, rule)
+    check_chain(table, jet)
+    assert len(table) == 1
+    assert table[0, 2] < 1e-14
 
 
 def test_a_peak_next_to_the_junction_is_seen():
