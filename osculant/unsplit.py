@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 #: beginnings tried for an arc across, and ends for each; bisections of the last end
 STARTS, ENDS, HALVINGS = 9, 24, 40
+#: with more points inside, the greedy pieces are left as they are
+MOST_POINTS = 100
 #: ends are tried up to so many lengths of the greedy arc beyond it
 FARTHEST = 2.0
 
@@ -47,7 +49,7 @@ class UnsplitArcs(Arcs):
     def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
         """Long pieces within ``high``, across the points too; the fewest that were found."""
         best = super().greedy(low, high, progress)
-        if not self.points:
+        if not 0 < len(self.points) <= MOST_POINTS:
             return best
         i = int(np.searchsorted(best.knots, self.points[0])) - 1  # the piece across
         earliest = best.knots[max(i - 1, 0)]

@@ -72,3 +72,18 @@ def test_inflections_and_cusps_are_always_knots():
 def test_a_word_that_is_not_known():
     with pytest.raises(DomainError, match="way to split 'often' is unknown: choose theory or never"):
         osc.approximate(osc.curve(*SEXTIC), "conic", split="often")
+
+
+@pytest.mark.parametrize(
+    ("formula", "choice"),
+    [
+        (("t, t^5 - 3*t^3 + t", -2, 2), {"pieces": 40, "metric": "area"}),
+        (("2*cos(t) + cos(2*t)/5, sin(t) + sin(3*t)/7", 0, "2*pi"), {"pieces": 7}),
+        (("t, log(t)", 0.1, 5), {"pieces": 7}),
+        (("(1 + cos(3*t)/1000)*cos(t), (1 + cos(3*t)/1000)*sin(t)", 0, "2*pi"), {"tolerance": 1e-2}),
+    ],
+)
+def test_biarcs_across_vertices_have_two_arcs_of_some_length(formula, choice):
+    spline = osc.approximate(osc.curve(*formula), "biarc", split="never", **choice)
+    assert spline.max_tangent_jump() < 1e-11
+    assert all(min(piece.lengths) > 1e-3 * max(piece.lengths) for piece in spline.pieces)
