@@ -118,8 +118,9 @@ class Fitting:
             self.certain = False
             return runs
         fewer = given_pieces(self.parts, count)
-        # equal areas are so up to rounding: the largest may be above the mean by less than the window
-        equal = count * low * max(run.error for run in fewer) <= tolerance * high
+        # equal areas are so up to rounding: the largest may be above the mean by the window and the noise
+        noise = max(part.noise for part in self.parts)
+        equal = max(run.error for run in fewer) <= tolerance / count * (high / low) + noise
         return fewer if whole_error(fewer, 2) <= tolerance and equal else runs
 
     def of_number(self, count: int) -> list[Run]:
