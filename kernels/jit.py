@@ -76,7 +76,7 @@ def announce() -> None:
     global FRESH
     if FRESH:
         print(
-            "osculant: compiling its kernels for this machine, once; this takes about 20 seconds.",
+            "osculant: compiling its kernels for this machine, once; this takes half a minute.",
             file=sys.stderr,
         )
         FRESH = False

@@ -115,6 +115,10 @@ class Arcs:
 
     def job(self, low: float, high: float) -> Job:
         """The kernel's arguments for the stretch from its beginning, for errors in the user's units."""
+        return self._job._replace(low=low * self.unit, high=high * self.unit)
+
+    @cached_property
+    def _job(self) -> Job:
         stretch, at = self.stretch, self.coordinates
         return Job(
             self.fit.code,
@@ -124,8 +128,8 @@ class Arcs:
             at.local(stretch.start, stretch.bend),
             stretch.b,
             at.local(stretch.end, stretch.bend),
-            low * self.unit,
-            high * self.unit,
+            0.0,
+            0.0,
             (stretch.b - stretch.a) / 8,
         )
 

@@ -78,16 +78,17 @@ class Fitting:
         The number at one n is a lower bound of all larger solutions: going on with it finds the least.
         """
         low, high = window(tolerance, self.size.rounding(2))
-        count = len(self.parts)
+        count, beaten = len(self.parts), 0  # beaten: so many pieces are certainly too few
         while (found := self._at_least(high / count)) > count:
-            count = found
+            beaten, count = count, found
         for _ in range(ROUNDS):
             runs = [part.greedy(low / count, high / count) for part in self.parts]
-            found = sum(map(len, runs))
+            found, self.certain = sum(map(len, runs)), not any(run.limited for run in runs)
             if progress is not None:
                 progress(min(1.0, count / found))
             if found <= count:
-                runs = self._without_window(runs, tolerance)
+                if found > beaten + 1:
+                    runs = self._without_window(runs, tolerance)
                 return self._from_elsewhere(runs, tolerance, lambda count: tolerance / count)
             count = found
         raise UndecidedError(
@@ -101,7 +102,6 @@ class Fitting:
     def _without_window(self, runs: list[Run], tolerance: float) -> list[Run]:
         """The runs, or those of one piece less if only the window of the search was in their way."""
         count = sum(map(len, runs)) - 1
-        self.certain = not any(run.limited for run in runs)
         if count < sum(part.least for part in self.parts):
             return runs
         low, high = (end / count for end in window(tolerance, self.size.rounding(2)))
