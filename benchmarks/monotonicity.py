@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from osculant.extent import extent
 from osculant.kernels import bihelix_spline
 from osculant.kernels.bihelix import EQUIOSCILLATING, THESIS
 from osculant.kernels.space_curve import JET_SIZE, sample_many
 from osculant.space import SpaceCurve
-from osculant.space_fitting import SpaceFitting, extent
+from osculant.space_fitting import SpaceFitting
 from osculant.space_stretches import divide
 
 CURVES = {

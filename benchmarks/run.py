@@ -29,7 +29,6 @@ from osculant.kernels.curve import JET_SIZE, sample_many
 from osculant.primitives import PRIMITIVES, choose
 from osculant.space import SpaceCurve
 from osculant.space_fitting import SpaceFitting
-from osculant.space_fitting import extent as extent_in_space
 from osculant.space_stretches import divide as divide_in_space
 from osculant.stretches import divide
 from osculant.tolerances import window
@@ -118,12 +117,12 @@ def bihelix_row() -> tuple[str, str, str]:
     """Time per bihelix of the conical spiral."""
     curve = SpaceCurve("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
     division = divide_in_space(curve)
-    fitting = SpaceFitting(curve, "equioscillating", division, extent_in_space(curve))
+    fitting = SpaceFitting(curve, "equioscillating", division, extent(curve))
     (stretch,) = division.stretches
     table = np.empty((4096, bihelix_spline.COLUMNS))
     ends = [(*frame.point, *frame.tangent) for frame in (stretch.start, stretch.end)]
     address, place = curve.compiled.address, fitting.place
-    low, high = window(1e-6, fitting.size.rounding)
+    low, high = window(1e-6, fitting.size.rounding())
 
     def run() -> int:
         found = bihelix_spline.spline(

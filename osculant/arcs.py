@@ -60,7 +60,8 @@ class Coordinates:
     """The kernels' coordinates of a curve: moved to its first point and scaled to a size of about 1."""
 
     def __init__(self, curve: PlaneCurve, size: Extent) -> None:
-        self.curve, self.origin, self.scale, self.size = curve, size.origin, size.scale, size
+        x, y = size.origin
+        self.curve, self.origin, self.scale, self.size = curve, (x, y), size.scale, size
         self.noise = NOISE_ULPS * math.ulp(size.largest) * size.scale
 
     def place(self, bend: float) -> Place:

@@ -102,17 +102,15 @@ def invariants(
     from osculant.space_report import (
         print_space_invariants,
         print_space_values,
-        space_invariants_data,
     )
 
     wanted = DIGITS if digits is None else whole_number(digits, "--digits")
 
     curve = osculant.curve(formula, low, high)
+    data = invariants_data(curve) if at is None else values_data(curve, at, wanted)
     if isinstance(curve, SpaceCurve):
-        data = space_invariants_data(curve) if at is None else values_data(curve, at, wanted)
         show = print_space_invariants if at is None else print_space_values
     else:
-        data = invariants_data(curve) if at is None else values_data(curve, at, wanted)
         show = print_invariants if at is None else print_values
     if as_json:
         print_json(data)

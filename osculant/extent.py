@@ -12,6 +12,7 @@ from osculant.cas.errors import DomainError
 
 if TYPE_CHECKING:
     from osculant.plane import PlaneCurve
+    from osculant.space import SpaceCurve
 
 #: samples that tell the size of a curve
 SAMPLES = 257
@@ -19,9 +20,9 @@ SAMPLES = 257
 
 @dataclass(frozen=True)
 class Extent:
-    """Size of a curve: its first point, largest absolute coordinate and larger extent."""
+    """Size of a curve: its first point, largest absolute coordinate and largest extent."""
 
-    origin: tuple[float, float]
+    origin: tuple[float, ...]
     largest: float
     size: float
 
@@ -41,22 +42,24 @@ class Extent:
         return math.ulp(self.largest) * self.size ** (dimension - 1)
 
 
-def extent(curve: PlaneCurve) -> Extent:
+def extent(curve: PlaneCurve | SpaceCurve) -> Extent:
     """Sample a curve that is finite on its interval; raises DomainError if doubles cannot hold it.
 
     >>> from osculant.plane import PlaneCurve
     >>> extent(PlaneCurve("t, t^2", 0, 3))
     Extent(origin=(0.0, 0.0), largest=9.0, size=9.0)
     """
-    from osculant.kernels.curve import JET_SIZE, sample_many
+    from osculant.kernels import curve as plane_kernels
+    from osculant.kernels import space_curve as space_kernels
 
+    kernels = plane_kernels if curve.dimension == 2 else space_kernels
     a, b = curve.interval
-    jets = np.empty((SAMPLES, JET_SIZE))
+    jets = np.empty((SAMPLES, kernels.JET_SIZE))
     with np.errstate(all="ignore"):
         times = np.linspace(a, b, SAMPLES)
-    sample_many(curve.compiled.address, times, jets)
+    kernels.sample_many(curve.compiled.address, times, jets)
     # a double next to an end may lie outside the interval, where the formula need not be defined
-    points = jets[:, [0, 3]]
+    points = jets[:, :: kernels.JET_SIZE // curve.dimension]
     if not np.isfinite(points[1:-1]).all():
         raise DomainError(
             f"The curve {curve.text} leaves the range of double numbers on its interval: "
@@ -67,8 +70,4 @@ def extent(curve: PlaneCurve) -> Extent:
         size = float(np.ptp(points, axis=0).max())
     if not math.isfinite(size):
         raise DomainError(f"The curve {curve.text} is too large for double numbers: scale it.")
-    return Extent(
-        (float(points[0, 0]), float(points[0, 1])),
-        float(np.abs(points).max()),
-        size,
-    )
+    return Extent(tuple((points[0] + 0.0).tolist()), float(np.abs(points).max()), size)

@@ -239,8 +239,14 @@ def print_complexity(
     print_rows(rows)
 
 
-def invariants_data(curve: PlaneCurve) -> dict[str, Any]:
-    """The exact invariants as plain data: per name title, symbol, text, latex, over_jets."""
+def invariants_data(curve: PlaneCurve | SpaceCurve) -> dict[str, Any]:
+    """The exact invariants as plain data: per name title, symbol, text, latex, over_jets.
+
+    >>> from osculant.space import SpaceCurve
+    >>> data = invariants_data(SpaceCurve("3*cos(t), 3*sin(t), 4*t"))
+    >>> [(row["symbol"], row["text"]) for row in data["invariants"][:3]]
+    [('ds/dt', '5'), ('kappa', '3/25'), ('tau', '4/25')]
+    """
     exact = curve.exact
     return {
         "curve": curve.text,
@@ -254,7 +260,7 @@ def invariants_data(curve: PlaneCurve) -> dict[str, Any]:
                 "latex": exact.latex(invariant.name),
                 "over_jets": invariant.name in exact.over_jets,
             }
-            for invariant in _all_invariants()
+            for invariant in all_invariants(curve.dimension)
         ],
     }
 
@@ -293,7 +299,7 @@ def print_invariants(data: dict[str, Any], latex: bool) -> None:
 def print_values(data: dict[str, Any], latex: bool) -> None:
     """Print what `values_data` returns."""
     rows = []
-    for invariant in _all_invariants():
+    for invariant in all_invariants(2):
         if invariant.name in data["values"]:
             value = data["values"][invariant.name]
             text = f"({', '.join(value)})" if isinstance(value, list) else value or "undefined here"
@@ -304,7 +310,16 @@ def print_values(data: dict[str, Any], latex: bool) -> None:
         print_rows(rows)
 
 
-def _all_invariants() -> list[Any]:
+def all_invariants(dimension: int) -> list[Any]:
+    """The invariants of curves in the plane (2) or in space (3), the lengths last.
+
+    >>> [invariant.name for invariant in all_invariants(3)][:3]
+    ['speed', 'curvature', 'torsion']
+    """
+    if dimension == 3:
+        from osculant.cas.space_exact import SPACE_INVARIANTS, SPACE_LENGTHS
+
+        return [*SPACE_INVARIANTS, *(length for length, _ in SPACE_LENGTHS)]
     from osculant.cas.invariants import INVARIANTS
     from osculant.cas.plane_exact import LENGTHS
 

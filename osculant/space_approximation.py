@@ -85,11 +85,12 @@ def approximate_in_space(
     allowed, count = requested(tolerance, pieces)
     check_finite(curve)
 
-    from osculant.space_fitting import SpaceFitting, extent  # these load the kernels
+    from osculant.extent import extent
+    from osculant.space_fitting import SpaceFitting  # these load the kernels
 
     size = extent(curve)
     if count is None:
-        check_floor(allowed, size.rounding, size.largest)
+        check_floor(allowed, size.rounding(), size.largest)
     is_closed = ends_meet(curve, closed)
     division = divide(curve, split_at, split)
     fitting = SpaceFitting(curve, rule, division, size)
@@ -98,7 +99,7 @@ def approximate_in_space(
     else:
         runs = fitting.of_number(count)
         error = max(run.error for run in runs)
-        allowed = error + reserve(error, size.rounding)
+        allowed = error + reserve(error, size.rounding())
     made = tuple(fitting.pieces(runs))
     least = tuple(part.least if part.exact else 1 for part in fitting.parts)
     certain = count is None and not division.undecided and division.proved

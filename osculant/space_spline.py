@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from osculant.cas.errors import DomainError, OsculantError
+from osculant.cas.errors import OsculantError
 from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
 from osculant.helix_pieces import SpacePiece, Vector
 from osculant.spline_facts import CurveText, Prediction, SplineFacts
@@ -96,19 +96,11 @@ class SpaceSpline(SplineFacts):
         Raises:
             DomainError: a parameter outside.
         """
-        t = np.asarray(t, dtype=np.float64)
-        knots = np.array(self.knots)
-        outside = ~((t >= knots[0]) & (t <= knots[-1]))
-        if outside.any():
-            raise DomainError(
-                f"The spline has no point at t = {float(t[outside].flat[0])!r}; "
-                f"its parameters go from {knots[0].item()!r} to {knots[-1].item()!r}."
-            )
-        points = np.empty((*t.shape, 3))
-        place = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(self) - 1)
+        at, _, place = self._places(t)
+        points = np.empty((*at.shape, 3))
         for index in np.unique(place):
             here = place == index
-            points[here] = self.pieces[index].at_parameter(t[here])
+            points[here] = self.pieces[index].at_parameter(at[here])
         return points
 
     def sample(self, n: int) -> Floats:

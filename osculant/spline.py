@@ -147,16 +147,8 @@ class Spline(SplineFacts):
         Raises:
             DomainError: a parameter outside.
         """
-        t = np.asarray(t, dtype=np.float64)
-        knots = np.array(self.knots)
-        outside = ~((t >= knots[0]) & (t <= knots[-1]))
-        if outside.any():
-            raise DomainError(
-                f"The spline has no point at t = {float(t[outside].flat[0])!r}; "
-                f"its parameters go from {knots[0].item()!r} to {knots[-1].item()!r}."
-            )
-        i = np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(self) - 1)
-        return self._chain.points(i, (t - knots[i]) / (knots[i + 1] - knots[i]))
+        at, knots, i = self._places(t)
+        return self._chain.points(i, (at - knots[i]) / (knots[i + 1] - knots[i]))
 
     def sample(self, n: int) -> Floats:
         """Return n >= 2 points on each piece, as `Piece.sample`, knots once; shape (N(n−1)+1, 2)."""

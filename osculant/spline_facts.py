@@ -5,9 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
-from osculant.cas.errors import UndecidedError
+import numpy as np
+
+from osculant.cas.errors import DomainError, UndecidedError
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 class PieceFacts(Protocol):
@@ -101,6 +106,18 @@ class SplineFacts:
     def knots(self) -> list[float]:
         """The parameters where pieces begin and end, one more than there are pieces."""
         return [float(self.pieces[0].interval[0]), *(float(piece.interval[1]) for piece in self.pieces)]
+
+    def _places(self, t: ArrayLike) -> tuple[Any, Any, Any]:
+        """Parameters and knots as arrays, and in which piece each parameter is; DomainError if in none."""
+        t = np.asarray(t, dtype=np.float64)
+        knots = np.array(self.knots)
+        outside = ~((t >= knots[0]) & (t <= knots[-1]))
+        if outside.any():
+            raise DomainError(
+                f"The spline has no point at t = {float(t[outside].flat[0])!r}; "
+                f"its parameters go from {knots[0].item()!r} to {knots[-1].item()!r}."
+            )
+        return t, knots, np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(self) - 1)
 
     @property
     def errors(self) -> list[float]:

@@ -13,15 +13,14 @@ import sympy
 from scipy.spatial import cKDTree
 
 from osculant.cas.errors import DomainError, FormulaError, ToleranceError
+from osculant.extent import extent
 from osculant.plane import PlaneCurve
-from osculant.report import print_spline, values_data
+from osculant.report import invariants_data, print_spline, values_data
 from osculant.space import SpaceCurve
 from osculant.space_approximation import approximate_in_space, complexity_in_space
-from osculant.space_fitting import extent
 from osculant.space_report import (
     print_space_invariants,
     print_space_values,
-    space_invariants_data,
 )
 from osculant.space_tables import LOST
 
@@ -127,7 +126,7 @@ def test_tabulated_doubles_are_the_values():
 
 def test_reports(capsys):
     curve = SpaceCurve(*CONE)
-    data = space_invariants_data(curve)
+    data = invariants_data(curve)
     json.dumps(data)
     print_space_invariants(data, latex=False)
     print_space_invariants(data, latex=True)

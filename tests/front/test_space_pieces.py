@@ -12,9 +12,10 @@ import osculant as osc
 from osculant.cas.errors import DomainError, ToleranceError
 from osculant.equal_errors import equalise
 from osculant.exact_helices import Helices
+from osculant.extent import extent
 from osculant.space import SpaceCurve
 from osculant.space_approximation import approximate_in_space
-from osculant.space_fitting import SpaceFitting, extent
+from osculant.space_fitting import SpaceFitting
 from osculant.space_stretches import divide
 
 CURVES = {
@@ -44,7 +45,7 @@ def fitting_of(curve):
 @pytest.mark.parametrize("name", CURVES)
 def test_a_number_of_pieces_is_the_inverse_of_a_tolerance(name):
     fitting = fitting_of(CURVES[name])
-    noise = NOISE_ULPS * fitting.size.rounding
+    noise = NOISE_ULPS * fitting.size.rounding()
     before = math.inf
     for count in range(sum(part.least for part in fitting.parts), 61):
         runs = fitting.of_number(count)
@@ -60,7 +61,7 @@ def test_a_number_of_pieces_is_the_inverse_of_a_tolerance(name):
 @pytest.mark.parametrize("name", CURVES)
 def test_splines_of_a_given_number_of_pieces(name):
     curve = CURVES[name]
-    noise = NOISE_ULPS * extent(curve).rounding
+    noise = NOISE_ULPS * extent(curve).rounding()
     for count in (4, 23, 60):
         spline = approximate_in_space(curve, pieces=count)
         assert len(spline) == count
