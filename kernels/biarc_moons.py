@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import math
 
-from osculant.kernels.biarc import Biarc, distance, family, is_beside, is_proper, is_short, member, to_circle
+from osculant.kernels.biarc import Biarc, distance, family, is_proper, member, to_circle
 from osculant.kernels.biarc_area import NOISE, strip
-from osculant.kernels.biarc_scan import LOPSIDED, SLACK, look
+from osculant.kernels.biarc_scan import LOPSIDED, SLACK, is_along, look
 from osculant.kernels.curve import Frame, Source, sample
 from osculant.kernels.gauss import NODES, SIZES, TAILS, WEIGHTS
 from osculant.kernels.jit import kernel
@@ -177,12 +177,8 @@ def attained(
 
     So they are, too, if an arc of the biarc turns by π or more or if the quadrature does not settle.
     """
-    rows, slack = space[0], SLACK * source[1][4]
-    if not is_short(arcs):
+    if not is_along(arcs, source, space, count):
         return math.inf, math.inf
-    for i in range(count):
-        if not is_beside(arcs, rows[i, 0], rows[i, 1], slack):
-            return math.inf, math.inf
     signed, area, error = areas(arcs, source, a, b, space, count)
     return (signed, area) if error <= TRUSTED * area or area == 0.0 else (math.inf, math.inf)
 

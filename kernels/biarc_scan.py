@@ -131,17 +131,23 @@ def extremes(
 
 
 @kernel
+def is_along(arcs: Biarc, source: Source, space: Space, count: int) -> bool:
+    """Whether both arcs turn by less than π and all points seen in ``space`` are beside the biarc."""
+    rows, slack = space[0], SLACK * source[1][4]
+    along = is_short(arcs)
+    for i in range(count):
+        along = along and is_beside(arcs, rows[i, 0], rows[i, 1], slack)
+    return along
+
+
+@kernel
 def attained(arcs: Biarc, source: Source, a: float, b: float, space: Space, count: int) -> float:
     """max |D| over the arc seen in ``space``; infinite where the nearest point of a circle is off its arc.
 
     So it is, too, if an arc turns by π or more.
     """
-    rows, slack = space[0], SLACK * source[1][4]
-    if not is_short(arcs):
+    if not is_along(arcs, source, space, count):
         return math.inf
-    for i in range(count):
-        if not is_beside(arcs, rows[i, 0], rows[i, 1], slack):
-            return math.inf
     top, bottom = extremes(arcs, source, a, b, space, count)
     error = max(top, -bottom)
     return error if math.isfinite(error) else math.inf
