@@ -14,10 +14,8 @@ import numpy as np
 from osculant.kernels.arc_length import workspace as lengths_workspace
 from osculant.kernels.bihelix import EQUIOSCILLATING
 from osculant.kernels.bihelix_spline import CALM, ENDS_AT_STRETCH, balanced, end_at, record
-from osculant.kernels.curve import call_jet
-from osculant.kernels.generated.space import frenet
 from osculant.kernels.jit import kernel
-from osculant.kernels.space_curve import JET_SIZE, Frame, Place, Source, placed
+from osculant.kernels.space_curve import JET_SIZE, Frame, Place, Source, frenet_at, placed
 
 #: log(left peak/right peak) at the junctions, and at least so many times noise/error
 EQUAL, EQUAL_NOISE = 1e-11, 8.0
@@ -65,13 +63,7 @@ def fit_arcs(
 @kernel
 def bend_at(source: Source, t: float) -> tuple[float, float, float]:
     """Speed, κ and τ at t, in the kernel's coordinates."""
-    address, place, jet = source
-    call_jet(address, t, jet)
-    k = place[3]
-    found = frenet(
-        jet[1] * k, jet[2] * k, jet[3] * k, jet[5] * k, jet[6] * k, jet[7] * k,
-        jet[9] * k, jet[10] * k, jet[11] * k,
-    )  # fmt: skip
+    found = frenet_at(source, t)
     return found[0], found[1], found[3]
 
 

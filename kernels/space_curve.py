@@ -42,18 +42,25 @@ def sample(source: Source, t: float) -> tuple[Vector, Vector, Vector]:
 
 
 @kernel
+def frenet_at(source: Source, t: float) -> tuple[float, ...]:
+    """Speed, κ, κ′ (by arc length), τ, T and N at t, in the kernel's units; leaves the jet in place."""
+    address, place, jet = source
+    call_jet(address, t, jet)
+    k = place[3]
+    return frenet(
+        jet[1] * k, jet[2] * k, jet[3] * k, jet[5] * k, jet[6] * k, jet[7] * k,
+        jet[9] * k, jet[10] * k, jet[11] * k,
+    )  # fmt: skip
+
+
+@kernel
 def bends(source: Source, t: float) -> tuple[Vector, Vector, Vector, float, float, float]:
     """α, T, κ′N, the speed, κ and κ′ (by arc length) at t, in the kernel's coordinates.
 
     Where κ = 0, κ′N is 0.
     """
-    address, place, jet = source
-    call_jet(address, t, jet)
-    k = place[3]
-    found = frenet(
-        jet[1] * k, jet[2] * k, jet[3] * k, jet[5] * k, jet[6] * k, jet[7] * k,
-        jet[9] * k, jet[10] * k, jet[11] * k,
-    )  # fmt: skip
+    found = frenet_at(source, t)
+    place, jet, k = source[1], source[2], source[1][3]
     speed, curvature, slope = found[0], found[1], found[2]
     point = ((jet[0] - place[0]) * k, (jet[4] - place[1]) * k, (jet[8] - place[2]) * k)
     lean = (0.0, 0.0, 0.0)

@@ -30,15 +30,8 @@ from osculant.cas.errors import OsculantError
 from osculant.cli_approximate import approximate, complexity
 from osculant.cli_germ import GermCommand, germ
 from osculant.cli_verify import verify
-from osculant.report import (
-    Waiting,
-    invariants_data,
-    print_invariants,
-    print_json,
-    print_values,
-    printable,
-    values_data,
-)
+from osculant.report import Waiting, print_json, printable
+from osculant.report_invariants import invariants_data, print_invariants, print_values, values_data
 
 USAGE, INTERRUPTED, BROKEN_PIPE, DEFECT = 2, 130, 141, 1
 #: set, it lets a defect's traceback through
@@ -98,24 +91,16 @@ def invariants(
 
     import osculant
     from osculant.formula_curve import DIGITS
-    from osculant.space import SpaceCurve
-    from osculant.space_report import (
-        print_space_invariants,
-        print_space_values,
-    )
 
     wanted = DIGITS if digits is None else whole_number(digits, "--digits")
 
     curve = osculant.curve(formula, low, high)
     data = invariants_data(curve) if at is None else values_data(curve, at, wanted)
-    if isinstance(curve, SpaceCurve):
-        show = print_space_invariants if at is None else print_space_values
-    else:
-        show = print_invariants if at is None else print_values
     if as_json:
         print_json(data)
     else:
-        show(data, latex)
+        show = print_invariants if at is None else print_values
+        show(data, latex, curve.dimension)
 
 
 app.command(cls=FormulaCommand)(complexity)

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
     from osculant.asymptotics import Complexity
     from osculant.formula_curve import FormulaCurve
-    from osculant.plane import PlaneCurve
-    from osculant.space import SpaceCurve
     from osculant.spline_facts import SplineFacts
 
 #: seconds before a progress bar appears
@@ -237,93 +235,6 @@ def print_complexity(
             ("predicted error", f"{law.predicted_error(pieces):.10g}"),
         ]
     print_rows(rows)
-
-
-def invariants_data(curve: PlaneCurve | SpaceCurve) -> dict[str, Any]:
-    """The exact invariants as plain data: per name title, symbol, text, latex, over_jets.
-
-    >>> from osculant.space import SpaceCurve
-    >>> data = invariants_data(SpaceCurve("3*cos(t), 3*sin(t), 4*t"))
-    >>> [(row["symbol"], row["text"]) for row in data["invariants"][:3]]
-    [('ds/dt', '5'), ('kappa', '3/25'), ('tau', '4/25')]
-    """
-    exact = curve.exact
-    return {
-        "curve": curve.text,
-        "invariants": [
-            {
-                "name": invariant.name,
-                "title": invariant.title,
-                "symbol": invariant.text,
-                "latex_symbol": invariant.latex,
-                "text": exact.text(invariant.name),
-                "latex": exact.latex(invariant.name),
-                "over_jets": invariant.name in exact.over_jets,
-            }
-            for invariant in all_invariants(curve.dimension)
-        ],
-    }
-
-
-def values_data(curve: PlaneCurve | SpaceCurve, at: str, digits: int) -> dict[str, Any]:
-    """The invariants at a parameter as plain data; numbers are text with all their digits."""
-    import mpmath
-
-    def written(value: Any) -> Any:
-        if value is None:
-            return None
-        return [written(part) for part in value] if isinstance(value, tuple) else mpmath.nstr(value, digits)
-
-    values = curve.at(at, digits)
-    return {
-        "curve": curve.text,
-        "at": at,
-        "digits": digits,
-        "values": {name: written(value) for name, value in values.items()},
-    }
-
-
-def print_invariants(data: dict[str, Any], latex: bool) -> None:
-    """Print what `invariants_data` returns, each invariant an equation on its own line."""
-    if latex:
-        for row in data["invariants"]:
-            print(f"{row['latex_symbol']} = {row['latex']}")
-    else:
-        print_rows([(row["title"], f"{row['symbol']} = {row['text']}") for row in data["invariants"]])
-    if any(row["over_jets"] for row in data["invariants"]):
-        print(
-            "x1 ... x5, y1 ... y5 are the derivatives of the coordinates, where a formula would be too long."
-        )
-
-
-def print_values(data: dict[str, Any], latex: bool) -> None:
-    """Print what `values_data` returns."""
-    rows = []
-    for invariant in all_invariants(2):
-        if invariant.name in data["values"]:
-            value = data["values"][invariant.name]
-            text = f"({', '.join(value)})" if isinstance(value, list) else value or "undefined here"
-            rows.append((invariant.title, f"{invariant.latex if latex else invariant.text} = {text}"))
-    if latex:
-        print("\n".join(text for _, text in rows))
-    else:
-        print_rows(rows)
-
-
-def all_invariants(dimension: int) -> list[Any]:
-    """The invariants of curves in the plane (2) or in space (3), the lengths last.
-
-    >>> [invariant.name for invariant in all_invariants(3)][:3]
-    ['speed', 'curvature', 'torsion']
-    """
-    if dimension == 3:
-        from osculant.cas.space_exact import SPACE_INVARIANTS, SPACE_LENGTHS
-
-        return [*SPACE_INVARIANTS, *(length for length, _ in SPACE_LENGTHS)]
-    from osculant.cas.invariants import INVARIANTS
-    from osculant.cas.plane_exact import LENGTHS
-
-    return [*INVARIANTS, *(length for length, _ in LENGTHS)]
 
 
 def print_rows(rows: Sequence[tuple[str, str]]) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
 from collections.abc import Callable
@@ -16,6 +15,7 @@ import numpy as np
 from osculant.cas.errors import OsculantError
 from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
 from osculant.helix_pieces import SpacePiece, Vector
+from osculant.pictures import DRAWN_POINTS, draw
 from osculant.spline_facts import CurveText, Prediction, SplineFacts
 from osculant.tolerances import writing_reserve
 
@@ -28,8 +28,6 @@ if TYPE_CHECKING:
 
 #: how many numbers an arc takes, given where it begins
 NUMBERS = {"segment": 3, "arc": 5, "helix": 6}
-#: points on each piece of a plot
-DRAWN_POINTS = 65
 
 
 @dataclass(frozen=True, repr=False)
@@ -215,30 +213,4 @@ class SpaceSpline(SplineFacts):
         Raises:
             OsculantError: matplotlib is not installed, or does not know the suffix, or cannot write the file.
         """
-        try:
-            from matplotlib.figure import Figure
-        except ImportError as error:
-            raise OsculantError(
-                "Drawing needs matplotlib, which is not installed; `pip install osculant[plot]` adds it."
-            ) from error
-        if axes is None and path is None:
-            import matplotlib.pyplot as plt
-
-            axes = plt.figure().add_subplot(projection="3d")
-        elif axes is None:
-            axes = Figure().add_subplot(projection="3d")  # no window, no global state
-        for i, piece in enumerate(self.pieces):
-            x, y, z = piece.sample(DRAWN_POINTS).T
-            axes.plot(x, y, z, color=("tab:blue", "tab:orange")[i % 2], linewidth=1.5)
-        knots = np.array([self.pieces[0].start, *(piece.end for piece in self.pieces)])
-        axes.plot(*knots.T, "k.", markersize=4)
-        axes.set_aspect("equal", adjustable="datalim")
-        axes.set_title(f"{self.curve.text}\n{len(self)} pieces ({self.primitive}), error {self.error:.3g}")
-        if path is not None:
-            picture = io.BytesIO()
-            try:
-                axes.figure.savefig(picture, format=Path(path).suffix[1:].lower() or "png")
-            except ValueError as error:
-                raise OsculantError(f"Cannot draw to {Path(path)}: {error}.") from error
-            write_whole(path, picture.getvalue())
-        return axes
+        return draw(self.sample(DRAWN_POINTS), self._title, path, axes)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
 from collections.abc import Callable
@@ -18,6 +17,7 @@ from osculant.biarcs import Biarc
 from osculant.cas.errors import DomainError, OsculantError
 from osculant.chains import Chain
 from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
+from osculant.pictures import DRAWN_POINTS, draw
 from osculant.pieces import Kind, Piece
 from osculant.spline_facts import CurveText, Prediction, SplineFacts
 
@@ -211,7 +211,7 @@ class Spline(SplineFacts):
         rounding = math.ulp(max(map(abs, self.bounding_box())))
         length = 1.0
         if self.metric == "area":  # of a strip along both curves
-            length = 2 * float(np.hypot(*np.diff(self.sample(_DRAWN_POINTS), axis=0).T).sum())
+            length = 2 * float(np.hypot(*np.diff(self.sample(DRAWN_POINTS), axis=0).T).sum())
         left = max(0.0, self.tolerance - self.error)
         return min(tolerances.reserve(self.tolerance, rounding * length), left) / length
 
@@ -279,34 +279,4 @@ class Spline(SplineFacts):
         Raises:
             OsculantError: matplotlib is not installed, or does not know the suffix, or cannot write the file.
         """
-        try:
-            from matplotlib.figure import Figure
-        except ImportError as error:
-            raise OsculantError(
-                "Drawing needs matplotlib, which is not installed; `pip install osculant[plot]` adds it."
-            ) from error
-        if axes is None and path is None:
-            import matplotlib.pyplot as plt
-
-            axes = plt.subplots(layout="constrained")[1]
-        elif axes is None:
-            axes = Figure(layout="constrained").subplots()  # no window, no global state
-        points = self.sample(_DRAWN_POINTS)
-        for i in range(len(self)):
-            part = points[i * (_DRAWN_POINTS - 1) : (i + 1) * (_DRAWN_POINTS - 1) + 1]
-            axes.plot(part[:, 0], part[:, 1], color=("tab:blue", "tab:orange")[i % 2], linewidth=1.5)
-        knots = points[:: _DRAWN_POINTS - 1]
-        axes.plot(knots[:, 0], knots[:, 1], "k.", markersize=4)
-        axes.set_aspect("equal", adjustable="datalim")
-        axes.set_title(f"{self.curve.text}\n{len(self)} pieces ({self.primitive}), error {self.error:.3g}")
-        if path is not None:
-            picture = io.BytesIO()
-            try:
-                axes.figure.savefig(picture, format=Path(path).suffix[1:].lower() or "png")
-            except ValueError as error:
-                raise OsculantError(f"Cannot draw to {Path(path)}: {error}.") from error
-            write_whole(path, picture.getvalue())
-        return axes
-
-
-_DRAWN_POINTS = 65  # on each piece of a plot
+        return draw(self.sample(DRAWN_POINTS), self._title, path, axes)

@@ -170,6 +170,11 @@ class SplineFacts:
         except UndecidedError:  # an integral that did not settle is no reason to lose the spline
             return None
 
+    @property
+    def _title(self) -> str:
+        """What stands above a picture of it."""
+        return f"{self.curve.text}\n{len(self)} pieces ({self.primitive}), error {self.error:.3g}"
+
     def _json(self, cusps: list[float]) -> dict[str, Any]:
         """Plain data of the spline."""
         predicted = self.predicted

@@ -15,13 +15,10 @@ from scipy.spatial import cKDTree
 from osculant.cas.errors import DomainError, FormulaError, ToleranceError
 from osculant.extent import extent
 from osculant.plane import PlaneCurve
-from osculant.report import invariants_data, print_spline, values_data
+from osculant.report import print_spline
+from osculant.report_invariants import invariants_data, print_invariants, print_values, values_data
 from osculant.space import SpaceCurve
 from osculant.space_approximation import approximate_in_space, complexity_in_space
-from osculant.space_report import (
-    print_space_invariants,
-    print_space_values,
-)
 from osculant.space_tables import LOST
 
 CONE = ("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
@@ -128,11 +125,11 @@ def test_reports(capsys):
     curve = SpaceCurve(*CONE)
     data = invariants_data(curve)
     json.dumps(data)
-    print_space_invariants(data, latex=False)
-    print_space_invariants(data, latex=True)
+    print_invariants(data, latex=False, dimension=3)
+    print_invariants(data, latex=True, dimension=3)
     values = values_data(curve, "1", 12)
     json.dumps(values)
-    print_space_values(values, latex=False)
+    print_values(values, latex=False, dimension=3)
     shown = capsys.readouterr().out
     assert "torsion                      tau = (t**2 + 6)/(t**4 + 5*t**2 + 8)" in shown
     assert r"\tau = \frac{t^{2} + 6}{t^{4} + 5 t^{2} + 8}" in shown
