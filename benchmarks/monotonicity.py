@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from osculant.extent import extent
+from osculant.approximation.space_fitting import SpaceFitting
+from osculant.approximation.space_stretches import divide
+from osculant.curves.extent import extent
+from osculant.curves.space import SpaceCurve
 from osculant.kernels import bihelix_spline
-from osculant.kernels.bihelix import EQUIOSCILLATING, THESIS
-from osculant.kernels.space_curve import JET_SIZE, sample_many
-from osculant.space import SpaceCurve
-from osculant.space_fitting import SpaceFitting
-from osculant.space_stretches import divide
+from osculant.kernels.bihelices.family import EQUIOSCILLATING, THESIS
+from osculant.kernels.curves.space import JET_SIZE, sample_many
 
 CURVES = {
     "conical spiral": ("t*cos(t), t*sin(t), t", "pi/6", "2*pi"),

@@ -20,17 +20,18 @@ from rich.console import Console
 from rich.table import Table
 
 import osculant as osc
-from osculant.arcs import Arcs
+from osculant.approximation.arcs import Arcs
+from osculant.approximation.division import divide
+from osculant.approximation.fitting import Fitting
+from osculant.approximation.space_fitting import SpaceFitting
+from osculant.approximation.space_stretches import divide as divide_in_space
 from osculant.codegen.jets import compile_jet
-from osculant.extent import extent
-from osculant.fitting import Fitting
-from osculant.kernels import bihelix_spline, greedy
-from osculant.kernels.curve import JET_SIZE, sample_many
-from osculant.primitives import PRIMITIVES, choose
-from osculant.space import SpaceCurve
-from osculant.space_fitting import SpaceFitting
-from osculant.space_stretches import divide as divide_in_space
-from osculant.stretches import divide
+from osculant.curves.extent import extent
+from osculant.curves.space import SpaceCurve
+from osculant.kernels import bihelix_spline
+from osculant.kernels import search as greedy
+from osculant.kernels.curves.plane import JET_SIZE, sample_many
+from osculant.primitives.table import PRIMITIVES, choose
 from osculant.tolerances import window
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")

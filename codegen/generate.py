@@ -11,12 +11,12 @@ from pathlib import Path
 
 import sympy as sp
 
-from osculant.cas import pencil
-from osculant.cas.asymptotics.arc_laws import arc_law
-from osculant.cas.complexity import LAWS, law_of
-from osculant.cas.leading import area_constant, canonical_coefficients
-from osculant.cas.plane_exact import jet_symbols
-from osculant.cas.space_curves import SpaceJet
+from osculant.cas.geometry import pencil
+from osculant.cas.invariants.plane import jet_symbols
+from osculant.cas.jets.space import SpaceJet
+from osculant.cas.laws.arcs import arc_law
+from osculant.cas.laws.complexity import LAWS, law_of
+from osculant.cas.laws.leading import area_constant, canonical_coefficients
 from osculant.codegen.closed_forms import ClosedForm, module_source
 
 FOLDER = Path(__file__).resolve().parent.parent / "kernels" / "generated"

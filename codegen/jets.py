@@ -20,8 +20,8 @@ import llvmlite.binding as llvm
 import numpy as np
 from llvmlite import ir
 
-from osculant.cas.expression import Node
-from osculant.cas.taylor import Program, program
+from osculant.cas.formulas.expression import Node
+from osculant.cas.numbers.taylor import Program, program
 
 _DOUBLE = ir.DoubleType()
 _LOCK = threading.Lock()
@@ -155,7 +155,7 @@ def compile_jet(formulas: Sequence[Node], order: int, variable: str = "t") -> Co
 
     Points outside a formula's domain give NaN or infinities, as libm does.
 
-    >>> from osculant.cas.formula import parse
+    >>> from osculant.cas.formulas.parser import parse
     >>> compile_jet([parse("t**3")], 2)(2.0)
     array([[ 8., 12., 12.]])
     """

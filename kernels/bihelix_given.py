@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.arc_length import workspace as lengths_workspace
-from osculant.kernels.bihelix import EQUIOSCILLATING
+from osculant.kernels.bihelices.family import EQUIOSCILLATING
 from osculant.kernels.bihelix_spline import CALM, ENDS_AT_STRETCH, balanced, end_at, record
+from osculant.kernels.curves.arc_length import workspace as lengths_workspace
+from osculant.kernels.curves.space import JET_SIZE, Frame, Place, Source, frenet_at, placed
 from osculant.kernels.jit import kernel
-from osculant.kernels.space_curve import JET_SIZE, Frame, Place, Source, frenet_at, placed
 
 #: log(left peak/right peak) at the junctions, and at least so many times noise/error
 EQUAL, EQUAL_NOISE = 1e-11, 8.0
@@ -31,7 +31,7 @@ def fit_arcs(
     """Fill ``table`` (m, ``bihelix_spline.COLUMNS``) with the bihelices between m + 1 neighbouring knots.
 
     Args:
-        rule: `THESIS` or `EQUIOSCILLATING` of `osculant.kernels.bihelix`.
+        rule: `THESIS` or `EQUIOSCILLATING` of `osculant.kernels.bihelices.family`.
         address: of the curve's compiled jet of order 3.
         place: of the kernel's coordinates.
         knots: increasing parameters (m + 1,).

@@ -12,8 +12,8 @@ A row of the table, all in the user's coordinates and units, torsion with the us
 * 3: why it ends there, `ENDS_AT_TOLERANCE` and so on;
 * 4: the parameter of the curve point in the normal plane of the junction;
 * 5, 6: the largest distances on the left and on the right of the junction;
-* `LEFT` 7:24 and `RIGHT` 24:41: the two helices, 17 numbers each, as in `osculant.kernels.helix`: start
-  point, start tangent, τ̄V, κ̄N₀, β, length, turning, κ, τ;
+* `LEFT` 7:24 and `RIGHT` 24:41: the two helices, 17 numbers each, as in `osculant.kernels.bihelices.helix`:
+  start point, start tangent, τ̄V, κ̄N₀, β, length, turning, κ, τ;
 * 41:44 and 44:47: end point and end tangent.
 """
 
@@ -24,15 +24,15 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.arc_length import Lengths, measure_lengths
-from osculant.kernels.arc_length import workspace as lengths_workspace
-from osculant.kernels.balance import FARTHEST, ROUNDING, STEEPNESS, assess, best, is_straight
-from osculant.kernels.bihelix import EQUIOSCILLATING, Bihelix, End
-from osculant.kernels.hausdorff import two_sided
-from osculant.kernels.helix import HELIX_SIZE, moved
+from osculant.kernels.bihelices.balance import FARTHEST, ROUNDING, STEEPNESS, assess, best, is_straight
+from osculant.kernels.bihelices.family import EQUIOSCILLATING, Bihelix, End
+from osculant.kernels.bihelices.hausdorff import two_sided
+from osculant.kernels.bihelices.helix import HELIX_SIZE, moved
+from osculant.kernels.curves.arc_length import Lengths, measure_lengths
+from osculant.kernels.curves.arc_length import workspace as lengths_workspace
+from osculant.kernels.curves.space import JET_SIZE, Frame, Place, Source, bends, frame, placed
+from osculant.kernels.curves.vectors import Vector
 from osculant.kernels.jit import kernel
-from osculant.kernels.space_curve import JET_SIZE, Frame, Place, Source, bends, frame, placed
-from osculant.kernels.vectors import Vector
 
 #: why a piece ends where it does; at the turn: it would turn by a whole turn otherwise
 ENDS_AT_TOLERANCE, ENDS_AT_STRETCH, ENDS_AT_LIMIT, ENDS_EARLY, ENDS_AT_TURN = 0, 1, 2, 3, 4
@@ -204,7 +204,7 @@ def spline(
     """Fill ``table`` with the bihelices of the stretch [a, stop].
 
     Args:
-        rule: `THESIS` or `EQUIOSCILLATING` of `osculant.kernels.bihelix`.
+        rule: `THESIS` or `EQUIOSCILLATING` of `osculant.kernels.bihelices.family`.
         address: of the curve's compiled jet of order 3.
         place: origin and scale (a power of two that gives the curve size about 1) of the kernel's coordinates
             and the noise of those.

@@ -11,10 +11,10 @@ import math
 
 import numpy as np
 
-from osculant.kernels.curve import JET_SIZE, Frame, Place
-from osculant.kernels.greedy import careful_arc, frame_at, peaks_at_first, quick_arc
+from osculant.kernels.conics.scan import workspace
+from osculant.kernels.curves.plane import JET_SIZE, Frame, Place
 from osculant.kernels.jit import kernel
-from osculant.kernels.scan import workspace
+from osculant.kernels.search import careful_arc, frame_at, peaks_at_first, quick_arc
 
 #: errors of pieces that are too large, in parts of the largest allowed
 LARGER, LARGEST = 1.002, 1.02

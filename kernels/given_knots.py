@@ -11,13 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.curve import JET_SIZE, Frame, Place, Source
-from osculant.kernels.exchange import Peaks
-from osculant.kernels.greedy import CHECKED, ENDS_AT_STRETCH, frame_at, measured, peaks_at_first, record, step
+from osculant.kernels.conics.exchange import Peaks
+from osculant.kernels.conics.minimax import minimax
+from osculant.kernels.conics.scan import Space, workspace
+from osculant.kernels.curves.plane import JET_SIZE, Frame, Place, Source
 from osculant.kernels.jit import kernel
-from osculant.kernels.minimax import minimax
 from osculant.kernels.primitives import BIARC, CONIC, PARABOLA
-from osculant.kernels.scan import Space, workspace
+from osculant.kernels.search import CHECKED, ENDS_AT_STRETCH, frame_at, measured, peaks_at_first, record, step
 
 #: fast steps on one arc; what they must come to: an unrest below `SETTLED`, which Newton's method squares,
 #: and an error that the measurement confirms to this part

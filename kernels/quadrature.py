@@ -1,7 +1,7 @@
 """Contents in doubles, ∫ of a density over jets of order 5: tanh-sinh quadrature, or Gauss on a grid.
 
-`cas.complexity` has the same integral to any number of digits; this is for the prediction beside a spline,
-where nine digits and a few thousand samples of machine code do, and for knots to start from.
+`cas.laws.complexity` has the same integral to any number of digits; this is for the prediction beside a
+spline, where nine digits and a few thousand samples of machine code do, and for knots to start from.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.curve import call_jet
+from osculant.kernels.curves.invariants import JET_SIZE
+from osculant.kernels.curves.plane import call_jet
 from osculant.kernels.gauss import NODES, SIZES, WEIGHTS
 from osculant.kernels.generated.laws import (
     biarc_area_density,
@@ -21,7 +22,6 @@ from osculant.kernels.generated.laws import (
     parabola_area_density,
     parabola_density,
 )
-from osculant.kernels.invariants import JET_SIZE
 from osculant.kernels.jit import kernel
 from osculant.kernels.primitives import AREA_PARABOLA, BIARC, CONIC, EQUISYMMETRIC_BIARC, PARABOLA
 

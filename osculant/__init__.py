@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from osculant.api import approximate, complexity, curve
-    from osculant.asymptotics import Complexity
+    from osculant.approximation.prediction import Complexity
     from osculant.cas.errors import DomainError, FormulaError, OsculantError, ToleranceError, UndecidedError
-    from osculant.map_germs import MapGerm, germ
-    from osculant.plane import PlaneCurve
-    from osculant.space import SpaceCurve
+    from osculant.curves.plane import PlaneCurve
+    from osculant.curves.space import SpaceCurve
+    from osculant.germs.map_germ import MapGerm, germ
     from osculant.space_spline import SpaceSpline
     from osculant.spline import Piece, Spline
-    from osculant.verification import Verification, verify
+    from osculant.thesis.verification import Verification, verify
 
 __version__ = "0.1.0"
 
@@ -52,16 +52,16 @@ _HOME = {
     "curve": "osculant.api",
     "approximate": "osculant.api",
     "complexity": "osculant.api",
-    "PlaneCurve": "osculant.plane",
-    "SpaceCurve": "osculant.space",
+    "PlaneCurve": "osculant.curves.plane",
+    "SpaceCurve": "osculant.curves.space",
     "SpaceSpline": "osculant.space_spline",
-    "Complexity": "osculant.asymptotics",
+    "Complexity": "osculant.approximation.prediction",
     "Spline": "osculant.spline",
     "Piece": "osculant.spline",
-    "verify": "osculant.verification",
-    "germ": "osculant.map_germs",
-    "MapGerm": "osculant.map_germs",
-    "Verification": "osculant.verification",
+    "verify": "osculant.thesis.verification",
+    "germ": "osculant.germs.map_germ",
+    "MapGerm": "osculant.germs.map_germ",
+    "Verification": "osculant.thesis.verification",
     "OsculantError": "osculant.cas.errors",
     "FormulaError": "osculant.cas.errors",
     "DomainError": "osculant.cas.errors",

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from osculant.asymptotics import Complexity, complexity_of
+from osculant.approximation.division import check_finite, divide
+from osculant.approximation.prediction import Complexity, complexity_of
 from osculant.cas.errors import DomainError
-from osculant.formula_curve import coordinates_of
-from osculant.plane import PlaneCurve
-from osculant.primitives import choose
-from osculant.space import SpaceCurve
+from osculant.curves.curve import coordinates_of
+from osculant.curves.plane import PlaneCurve
+from osculant.curves.space import SpaceCurve
+from osculant.primitives.table import choose
 from osculant.space_spline import SpaceSpline
 from osculant.spline import Spline
-from osculant.stretches import check_finite, divide
 
 
 def curve(formulas: Any, low: Any = None, high: Any = None) -> PlaneCurve | SpaceCurve:
@@ -104,10 +104,10 @@ def approximate(
     }  # fmt: skip
     primitive = primitive or _usual(curve)
     if isinstance(curve, SpaceCurve) or primitive == "bihelix":
-        from osculant.space_approximation import approximate_in_space
+        from osculant.approximation.space_approximation import approximate_in_space
 
         return approximate_in_space(curve, primitive, tolerance, closed=closed, split=split, **wanted)
-    from osculant.plane_approximation import approximate_in_plane, approximate_with_least_numbers
+    from osculant.approximation.approximate import approximate_in_plane, approximate_with_least_numbers
 
     if primitive == "best":
         return approximate_with_least_numbers(curve, tolerance, closed=closed, split=split, **wanted)
@@ -139,7 +139,7 @@ def complexity(
     split_at = _several(split_at)
     primitive = primitive or _usual(curve)
     if isinstance(curve, SpaceCurve) or primitive == "bihelix":
-        from osculant.space_approximation import complexity_in_space
+        from osculant.approximation.space_approximation import complexity_in_space
 
         if next_term:
             raise DomainError("The second term is not known for bihelices: ask without next_term.")

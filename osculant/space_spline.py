@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from osculant.cas.errors import OsculantError
-from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
-from osculant.helix_pieces import SpacePiece, Vector
-from osculant.pictures import DRAWN_POINTS, draw
+from osculant.files.figures import DRAWN_POINTS, draw
+from osculant.files.writing import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
+from osculant.pieces.helices import SpacePiece, Vector
 from osculant.spline_facts import CurveText, Prediction, SplineFacts
 from osculant.tolerances import writing_reserve
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from osculant.helix_pieces import Floats
+    from osculant.pieces.helices import Floats
 
 #: how many numbers an arc takes, given where it begins
 NUMBERS = {"segment": 3, "arc": 5, "helix": 6}
@@ -53,7 +53,7 @@ class SpaceSpline(SplineFacts):
         choice: why this primitive, if the choice was left to `osculant.approximate`.
 
     >>> from types import SimpleNamespace
-    >>> from osculant.helix_pieces import HelixArc
+    >>> from osculant.pieces.helices import HelixArc
     >>> line = HelixArc((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 1.0), 0.0, 0.0, 2.0)
     >>> curve, pieces = SimpleNamespace(text="0, 0, t"), (SpacePiece((0.0, 2.0), (line,), 0.0),)
     >>> spline = SpaceSpline(curve, "bihelix", "thesis", "hausdorff", 0.1, pieces, "proved")
@@ -171,8 +171,8 @@ class SpaceSpline(SplineFacts):
         """Write the spline to a file, whole or not at all; its suffix says how.
 
         Args:
-            path: ".json" for what `to_json` returns, ".nc", ".gcode" or ".ngc" for G-code (`osculant.gcode`),
-                ".dxf" for a polyline of chords (`osculant.dxf`).
+            path: ".json" for what `to_json` returns, ".nc", ".gcode" or ".ngc" for G-code (`files.gcode`),
+                ".dxf" for a polyline of chords (`osculant.files.dxf`).
             reserve: how far G-code may be from the pieces, chords aside.
             decimals: of G-code.
             units: of G-code and DXF; by default none are written.
@@ -184,12 +184,12 @@ class SpaceSpline(SplineFacts):
         """
         suffix = Path(path).suffix.lower()
         if suffix in GCODE_SUFFIXES:
-            from osculant.gcode import gcode
+            from osculant.files.gcode import gcode
 
             text = gcode(self, decimals=decimals, reserve=reserve, units=units, command=command)
             return write_whole(path, text)
         if suffix == ".dxf":
-            from osculant.dxf import dxf
+            from osculant.files.dxf import dxf
 
             return write_whole(path, dxf(self, units=units, command=command))
         if suffix != ".json":

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from osculant import tolerances
-from osculant.biarcs import Biarc
 from osculant.cas.errors import DomainError, OsculantError
-from osculant.chains import Chain
-from osculant.files import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
-from osculant.pictures import DRAWN_POINTS, draw
-from osculant.pieces import Kind, Piece
+from osculant.files.figures import DRAWN_POINTS, draw
+from osculant.files.writing import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
+from osculant.pieces.biarcs import Biarc
+from osculant.pieces.chain import Chain
+from osculant.pieces.conics import Kind, Piece
 from osculant.spline_facts import CurveText, Prediction, SplineFacts
 
 if TYPE_CHECKING:
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from osculant.certificate import Certificate
-    from osculant.pieces import Floats
+    from osculant.certificates.splines import Certificate
+    from osculant.pieces.conics import Floats
 
 __all__ = ["Biarc", "Kind", "Piece", "Spline"]
 
@@ -94,7 +94,7 @@ class Spline(SplineFacts):
         return self._proofs[0] if self._proofs else None
 
     def certify(self, progress: Callable[[float], None] | None = None) -> Certificate:
-        """Enclose the error of every piece in ball arithmetic, as `osculant.certificate` says.
+        """Enclose the error of every piece in ball arithmetic, as `osculant.certificates.splines` says.
 
         The certificate is remembered: `certificate` and `to_json` have it, and `error` is its upper bound,
         with the `error_kind` "certified", if there is one.
@@ -112,8 +112,8 @@ class Spline(SplineFacts):
         (True, 'certified', True)
         """
         if not self._proofs:
-            from osculant.certificate import certify
-            from osculant.plane import PlaneCurve
+            from osculant.certificates.splines import certify
+            from osculant.curves.plane import PlaneCurve
 
             if self.metric != "hausdorff":
                 raise DomainError(
@@ -227,10 +227,10 @@ class Spline(SplineFacts):
         """Write the spline to a file, whole or not at all; its suffix says how.
 
         Args:
-            path: ".svg" writes a picture (`osculant.svg`), ".json" what `to_json` returns; of biarcs also
-                G-code (".nc", ".gcode" or ".ngc", `osculant.gcode`) and ".dxf" (`osculant.dxf`).
-            reserve: how far what is written may be from the pieces; by default as `osculant.svg` and
-                `osculant.gcode` say. JSON and DXF hold every number exactly.
+            path: ".svg" writes a picture (`files.svg`), ".json" what `to_json` returns; of biarcs also
+                G-code (".nc", ".gcode" or ".ngc", `osculant.files.gcode`) and ".dxf" (`osculant.files.dxf`).
+            reserve: how far what is written may be from the pieces; by default as `osculant.files.svg` and
+                `osculant.files.gcode` say. JSON and DXF hold every number exactly.
             decimals: of G-code.
             units: of G-code and DXF; by default none are written.
             command: the command line that made the spline, recorded in a picture's description.
@@ -247,15 +247,15 @@ class Spline(SplineFacts):
         """
         suffix = Path(path).suffix.lower()
         if suffix == ".svg":
-            from osculant.svg import svg
+            from osculant.files.svg import svg
 
             write_whole(path, svg(self, reserve=reserve, command=command))
         elif suffix in GCODE_SUFFIXES:
-            from osculant.gcode import gcode
+            from osculant.files.gcode import gcode
 
             write_whole(path, gcode(self, decimals=decimals, reserve=reserve, units=units, command=command))
         elif suffix == ".dxf":
-            from osculant.dxf import dxf
+            from osculant.files.dxf import dxf
 
             write_whole(path, dxf(self, units=units, command=command))
         elif suffix == ".json":

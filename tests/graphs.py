@@ -5,8 +5,8 @@ from __future__ import annotations
 from hypothesis import strategies as st
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.expression import FUNCTIONS, Node, call, number, power, variable
-from osculant.cas.formula import parse
+from osculant.cas.formulas.expression import FUNCTIONS, Node, call, number, power, variable
+from osculant.cas.formulas.parser import parse
 
 t = variable("t")
 

@@ -46,7 +46,8 @@ def hausdorff(
 
     Args:
         curve: t -> (x, y), for arrays t; a coordinate may be a constant.
-        pieces: objects with `interval`, `start`, `end`, `middle` and `weight`, as in `osculant.pieces`.
+        pieces: objects with `interval`, `start`, `end`, `middle` and `weight`, as in
+            `osculant.pieces.conics`.
         knots: N+1 parameters; by default those of the pieces. They only steer the sampling.
         density: samples on each piece, of both curves.
     """

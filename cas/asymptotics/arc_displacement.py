@@ -20,10 +20,10 @@ from typing import Any
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
-from osculant.cas import pencil
-from osculant.cas.canonical import euclidean_arc
 from osculant.cas.errors import DomainError
-from osculant.cas.power_series import PowerSeries, ratio, solve
+from osculant.cas.geometry import pencil
+from osculant.cas.jets.canonical import euclidean_arc
+from osculant.cas.numbers.power_series import PowerSeries, ratio, solve
 
 #: κ, κ₁, κ₂, …: the curvature and its derivatives by arc length in the middle of the arc
 KAPPA = sp.symbols("kappa:8", real=True)

@@ -18,9 +18,9 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.canonical import euclidean_arc, series_of_derivatives
 from osculant.cas.errors import DomainError
-from osculant.cas.power_series import PowerSeries
+from osculant.cas.jets.canonical import euclidean_arc, series_of_derivatives
+from osculant.cas.numbers.power_series import PowerSeries
 
 #: the place on the arc, the junction of a biarc, those −a and b of a triarc, all divided by h
 x, v, a, b = sp.symbols("x v a b", real=True)

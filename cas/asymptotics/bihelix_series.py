@@ -21,7 +21,7 @@ from math import factorial
 from typing import Any
 
 from osculant.cas.errors import DomainError
-from osculant.cas.power_series import PowerSeries, identity, ratio
+from osculant.cas.numbers.power_series import PowerSeries, identity, ratio
 
 #: components along the tangent, the principal normal and the binormal
 Triple = tuple[PowerSeries, PowerSeries, PowerSeries]

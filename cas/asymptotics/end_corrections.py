@@ -12,7 +12,7 @@ homogeneous polynomial of the nodes. The greedy spline of error 1 from u = 0 has
     correction = lim (n − ∫₀^{uₙ} ρ₀ du),   ρ₀ = e₀^{1/p}, e₀ the leading error, proportional to u.
 
 The model has no scale but the arcs' own, so with X = ∫₀^{uₙ} ρ₀ du the rest is a series in odd powers of 1/X:
-ρ₁, ρ₂, … of `osculant.cas.asymptotics.next_term` integrate to multiples of 1/X, 1/X³, …, and extrapolation
+ρ₁, ρ₂, … of `osculant.cas.laws.next_term` integrate to multiples of 1/X, 1/X³, …, and extrapolation
 removes them.
 """
 

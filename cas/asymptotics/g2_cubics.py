@@ -15,9 +15,9 @@ import mpmath as mp
 from flint import arb
 
 from osculant.cas.asymptotics.hermite_cubics import CONTACTS, affine_jet, branches
-from osculant.cas.balls import PRECISION, CurveBalls, precision
-from osculant.cas.complexity import double_exponential
 from osculant.cas.errors import DomainError, UndecidedError
+from osculant.cas.laws.complexity import double_exponential
+from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
 
 #: a root of the quartic whose imaginary part is below this part of its modulus counts as real
 REAL = 1e-12
@@ -120,7 +120,7 @@ def complexity(curve: CurveBalls, low: Any, high: Any) -> Any:
     Raises DomainError at an inflection, UndecidedError if the quadrature does not settle: the best solution
     may change inside, or its E may have a zero there; split at that point.
 
-    >>> from osculant.cas.formula import parse_tuple
+    >>> from osculant.cas.formulas.parser import parse_tuple
     >>> mp.nstr(complexity(CurveBalls(parse_tuple("cos(t), sin(t)")), 0, 1) ** 6 * 64 * 128, 6)
     '1.0'
     """

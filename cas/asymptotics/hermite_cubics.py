@@ -21,10 +21,10 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.canonical import affine_graph
 from osculant.cas.errors import DomainError
-from osculant.cas.invariants import PlaneJet
-from osculant.cas.power_series import PowerSeries
+from osculant.cas.jets.canonical import affine_graph
+from osculant.cas.jets.plane import PlaneJet
+from osculant.cas.numbers.power_series import PowerSeries
 
 #: affine curvature and its derivatives by affine arc length; the free coefficient of t² in x
 k, k1, k2, a = sp.symbols("k k1 k2 a", real=True)

@@ -17,9 +17,9 @@ from typing import Any
 import sympy as sp
 from flint import Ordering, fmpq_mpoly_ctx
 
-from osculant.cas.canonical import affine_arc
 from osculant.cas.errors import DomainError
-from osculant.cas.power_series import PowerSeries, power
+from osculant.cas.jets.canonical import affine_arc
+from osculant.cas.numbers.power_series import PowerSeries, power
 
 Pair = tuple[PowerSeries, PowerSeries]
 #: a curve tangent at two places has a d of degree 4, which is least for kβ to see a generic curvature

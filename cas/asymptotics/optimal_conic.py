@@ -12,9 +12,9 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.asymptotics.arc_displacement import KAPPA, optimal_pencil
-from osculant.cas.canonical import euclidean_arc
-from osculant.cas.invariants import PlaneJet
-from osculant.cas.power_series import PowerSeries, power
+from osculant.cas.jets.canonical import euclidean_arc
+from osculant.cas.jets.plane import PlaneJet
+from osculant.cas.numbers.power_series import PowerSeries, power
 
 #: powers of s carried along the curve; its middle term needs κ₄
 ORDER = 8

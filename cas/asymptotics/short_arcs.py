@@ -24,7 +24,7 @@ import sympy as sp
 
 from osculant.cas.asymptotics.arc_displacement import KAPPA, displacement, peak_spread
 from osculant.cas.errors import DomainError
-from osculant.cas.power_series import PowerSeries, solve
+from osculant.cas.numbers.power_series import PowerSeries, solve
 
 
 @dataclass(frozen=True)

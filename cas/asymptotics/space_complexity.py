@@ -13,11 +13,11 @@ from typing import Any
 
 from flint import acb, arb
 
-from osculant.cas.balls import precision
 from osculant.cas.errors import DomainError
-from osculant.cas.expression import Node
-from osculant.cas.space_curves import SpaceJet
-from osculant.cas.taylor import program
+from osculant.cas.formulas.expression import Node
+from osculant.cas.jets.space import SpaceJet
+from osculant.cas.numbers.balls import precision
+from osculant.cas.numbers.taylor import program
 
 #: working precision in bits, and the relative accuracy wanted
 BITS, ACCURACY = 96, 1e-9
@@ -63,7 +63,7 @@ def curvature_slope_integral(coordinates: Sequence[Node], low: Any, high: Any) -
     Zeros of κ′ are allowed, also at the ends. Raises DomainError for other functions, and if the enclosure is
     not finite: a cusp or a point with κ = 0 is in the way.
 
-    >>> from osculant.cas.formula import parse_tuple
+    >>> from osculant.cas.formulas.parser import parse_tuple
     >>> print(curvature_slope_integral(parse_tuple("t, t^2, t^3"), 1, 2).str(8, radius=False))
     1.7706947
     """

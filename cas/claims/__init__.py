@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from difflib import get_close_matches
 from importlib import import_module
-from pkgutil import iter_modules
+from pkgutil import walk_packages
 
 from osculant.cas.claims.claim import Claim, Evidence, Judgement, Method, Verdict, judge, registered
 from osculant.cas.errors import DomainError
@@ -24,8 +24,6 @@ __all__ = [
     "select",
 ]
 
-#: modules of this package that hold no claims
-TOOLS = {"claim", "proof", "vectors"}
 #: near names offered for one that is unknown
 OFFERED = 3
 
@@ -39,9 +37,8 @@ def all_claims() -> tuple[Claim, ...]:
     >>> all(claim.wrong for claim in all_claims())
     True
     """
-    for module in iter_modules(__path__):
-        if module.name not in TOOLS:
-            import_module(f"{__name__}.{module.name}")  # registers its claims, once
+    for module in walk_packages(__path__, f"{__name__}."):
+        import_module(module.name)  # registers its claims, once
     return tuple(sorted(registered().values(), key=lambda claim: _place(claim.name)))
 
 

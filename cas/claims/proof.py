@@ -11,8 +11,8 @@ import sympy as sp
 
 from osculant.cas.claims.claim import Evidence
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.formula import parse, parse_tuple
-from osculant.cas.sympy_bridge import to_sympy
+from osculant.cas.formulas.parser import parse, parse_tuple
+from osculant.cas.formulas.sympy_bridge import to_sympy
 
 #: random points at which a form is tried before it is proved, the digits used and those that must vanish
 TRIALS, DIGITS, VANISHING = 3, 60, 40

@@ -1,7 +1,7 @@
 """Affine and Euclidean invariants of plane curves, derived from their definitions (thesis 2.2).
 
 Nothing here is a formula for an invariant: each follows from reparametrisation by arc length. The forms of
-`osculant.cas.invariants`, which are what the programs run, are held against these by the tests.
+`osculant.cas.jets.plane`, which are what the programs run, are held against these by the tests.
 """
 
 from __future__ import annotations

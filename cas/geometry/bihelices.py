@@ -16,8 +16,8 @@ from typing import Any
 
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.short_helices import ShortHelix, short_helix
-from osculant.cas.power_series import ratio
-from osculant.cas.space_curves import Vector3, add, cross, dot, scale, subtract
+from osculant.cas.jets.space import Vector3, add, cross, dot, scale, subtract
+from osculant.cas.numbers.power_series import ratio
 
 #: binary digits that floating point data may lose before a direction counts as undetermined
 GUARD = 12

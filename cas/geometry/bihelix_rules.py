@@ -17,12 +17,12 @@ from typing import Any
 import mpmath as mp
 
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.expression import Node
-from osculant.cas.fields import Multiprecision
+from osculant.cas.formulas.expression import Node
 from osculant.cas.geometry.bihelices import Bihelix, End, Line, bihelix_through, junction_line
 from osculant.cas.geometry.short_helices import ShortHelix
-from osculant.cas.space_curves import SpaceJet, Vector3, add, cross, dot, scale, subtract
-from osculant.cas.taylor import program
+from osculant.cas.jets.space import SpaceJet, Vector3, add, cross, dot, scale, subtract
+from osculant.cas.numbers.fields import Multiprecision
+from osculant.cas.numbers.taylor import program
 
 #: points of each side at which a peak is looked for, and steps of any iteration
 SAMPLES, STEPS = 10, 60
@@ -133,7 +133,7 @@ def increasing_root(f: Callable[[Any], tuple[Any, Any]], low: Any, high: Any, st
 def thesis_bihelix(arc: SpaceArc) -> Bihelix:
     """Junction tangent T* from the middle of the arc, junction point on l(T*) nearest to the middle (4.1.2).
 
-    >>> from osculant.cas.formula import parse_tuple
+    >>> from osculant.cas.formulas.parser import parse_tuple
     >>> arc = SpaceArc(parse_tuple("t, t^2, t^3"), mp.mpf(1), mp.mpf("1.1"))
     >>> print(mp.nstr(max(peaks(arc, thesis_bihelix(arc))), 5))
     4.5103e-5
@@ -164,7 +164,7 @@ def equioscillating_bihelix(arc: SpaceArc, digits: int = 6) -> Bihelix:
 
     Raises UndecidedError if no offset tried changes the sign of their difference: long arcs may have none.
 
-    >>> from osculant.cas.formula import parse_tuple
+    >>> from osculant.cas.formulas.parser import parse_tuple
     >>> arc = SpaceArc(parse_tuple("t, t^2, t^3"), mp.mpf(1), mp.mpf("1.1"))
     >>> print(mp.nstr(max(peaks(arc, equioscillating_bihelix(arc))), 5))
     2.2892e-5

@@ -1,8 +1,9 @@
 """The bitangent conics of one arc in as many digits as asked for: slow, precise, apart from the kernels.
 
-The pencil F = l₁² − 4Q l₀l₂ of `osculant.cas.pencil` (thesis 3.3, reconstructed) in mpmath's arithmetic at
-its current precision: displacement along the normals, its peaks, the parabola, the conic of least Hausdorff
-distance by equioscillation (`osculant.cas.geometry.moons` has the areas). An oracle for claims and tests.
+The pencil F = l₁² − 4Q l₀l₂ of `osculant.cas.geometry.pencil` (thesis 3.3, reconstructed) in mpmath's
+arithmetic at its current precision: displacement along the normals, its peaks, the parabola, the conic of
+least Hausdorff distance by equioscillation (`osculant.cas.geometry.moons` has the areas). An oracle for
+claims and tests.
 """
 
 from __future__ import annotations
@@ -15,10 +16,10 @@ from typing import Any
 from mpmath import mp
 
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.expression import Node
-from osculant.cas.fields import Multiprecision
-from osculant.cas.formula import parse_tuple
-from osculant.cas.taylor import program
+from osculant.cas.formulas.expression import Node
+from osculant.cas.formulas.parser import parse_tuple
+from osculant.cas.numbers.fields import Multiprecision
+from osculant.cas.numbers.taylor import program
 
 Vector = tuple[Any, Any]
 

@@ -16,10 +16,10 @@ from typing import Any, NamedTuple
 import sympy as sp
 from flint import fmpq
 
-from osculant.cas.divided_differences import exact, exact_nodes, is_zero, newton
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.invariants import PlaneJet, Root, real_root
-from osculant.cas.power_series import PowerSeries, ratio
+from osculant.cas.jets.plane import PlaneJet, Root, real_root
+from osculant.cas.numbers.divided_differences import exact, exact_nodes, is_zero, newton
+from osculant.cas.numbers.power_series import PowerSeries, ratio
 
 #: ``curve(s, order)``: the jet at the parameter s with the derivatives up to that order at least
 CurveJets = Callable[[Any, int], PlaneJet]
@@ -100,7 +100,7 @@ def contact_rows(curve: CurveJets, parameters: Sequence[Any]) -> list[tuple[Any,
     A conic meets the curve at all the parameters, as often as each is given, exactly if it is orthogonal to
     these rows (its coefficients in the order of Ψ).
 
-    Raises DomainError and UndecidedError as `osculant.cas.divided_differences.newton`.
+    Raises DomainError and UndecidedError as `osculant.cas.numbers.divided_differences.newton`.
     """
     images: dict[tuple[int, int], tuple[PowerSeries, ...]] = {}
     nodes = exact_nodes(parameters)

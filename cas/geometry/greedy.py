@@ -2,7 +2,7 @@
 
 No series enters: an arc is the solution of d = ±ε and d′ = 0 at its peaks, with d the displacement along the
 normal to a bitangent conic (`osculant.cas.geometry.bitangent`). So the counts are an independent check of
-the leading constants and of `osculant.cas.asymptotics.next_term`. Short arcs only: one peak (parabola), or
+the leading constants and of `osculant.cas.laws.next_term`. Short arcs only: one peak (parabola), or
 one in each half (conic).
 """
 
@@ -15,7 +15,7 @@ import sympy as sp
 
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
-from osculant.cas.pencil import lobes
+from osculant.cas.geometry.pencil import lobes
 
 #: a guess of an arc's length is improved so often before Newton's method
 REFINEMENTS = 4

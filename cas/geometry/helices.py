@@ -6,7 +6,7 @@ S = ∫sin φ, a curve of constant τ/κ with the frame {T₀, N₀, B₀} at p�
     α(s) = p₀ + s τ̄V + C(s)(T₀ − τ̄V) + S(s) T₀×V,   V = −(τT₀ + κB₀)/β,   τ̄ = −τ/β      (corollary 2.3.5)
 
 (V and τ̄ are the thesis's, whose torsion is −τ). The numbers may be floats, mpmath, balls or sympy
-expressions, as in `osculant.cas.space_curves`.
+expressions, as in `osculant.cas.jets.space`.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from osculant.cas.errors import DomainError
-from osculant.cas.invariants import Root, real_root
-from osculant.cas.space_curves import Vector3, add, cross, scale, subtract
+from osculant.cas.jets.plane import Root, real_root
+from osculant.cas.jets.space import Vector3, add, cross, scale, subtract
 
 
 @dataclass(frozen=True)
@@ -216,7 +216,7 @@ def _apply(name: str, value: Any) -> Any:
     """sin or cos in the kind of number of the value."""
     library = type(value).__module__.partition(".")[0]
     if library in {"mpmath", "flint"}:
-        from osculant.cas.fields import Balls, Multiprecision
+        from osculant.cas.numbers.fields import Balls, Multiprecision
 
         return (Balls() if library == "flint" else Multiprecision()).function(name)(value)
     if library == "sympy":

@@ -17,14 +17,14 @@ from fractions import Fraction
 
 from flint import fmpq, fmpq_mat
 
-from osculant.cas.expression import Node, number, variable
+from osculant.cas.formulas.expression import Node, number, variable
+from osculant.cas.formulas.graph import substitute
+from osculant.cas.formulas.text import to_text
 from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version
 from osculant.cas.germs.linear import null_space
 from osculant.cas.germs.unipotent import LinearField
-from osculant.cas.graph import substitute
-from osculant.cas.text import to_text
 
 Matrix = list[list[Fraction]]
 

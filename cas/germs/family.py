@@ -10,10 +10,10 @@ from typing import Any, cast
 from flint import fmpq, fmpq_poly
 
 from osculant.cas.errors import DomainError
+from osculant.cas.formulas.text import to_text
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ, as_node
 from osculant.cas.germs.polynomials import LARGEST, Number, Polynomial
-from osculant.cas.text import to_text
 
 #: a monomial in the source variables: its coefficient, by the exponents of the parameters
 Coefficients = dict[int, dict[tuple[int, ...], Number]]

@@ -8,14 +8,14 @@ from functools import lru_cache
 from typing import Any
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.expression import Node, call, number, power, variable
-from osculant.cas.fields import ExactNumbers
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.expression import Node, call, number, power, variable
+from osculant.cas.formulas.graph import fold, topological, variables
+from osculant.cas.formulas.parser import parse_tuple
+from osculant.cas.formulas.text import to_text
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.polynomials import LARGEST, Number, Polynomial
-from osculant.cas.graph import fold, topological, variables
-from osculant.cas.taylor import program
-from osculant.cas.text import to_text
+from osculant.cas.numbers.fields import ExactNumbers
+from osculant.cas.numbers.taylor import program
 
 
 class Germ:
@@ -151,7 +151,7 @@ class Germ:
 def expanded(components: tuple[Node, ...], source: tuple[str, ...], order: int) -> tuple[Polynomial, ...]:
     """Expressions in the source variables as polynomials cut above degree ``order``; errors as for `Germ`.
 
-    >>> from osculant.cas.formula import parse_tuple
+    >>> from osculant.cas.formulas.parser import parse_tuple
     >>> expanded(parse_tuple("1 + x", ("x",)), ("x",), 2) == ({0: 1, poly.variable(0, 1): 1},)
     True
     """

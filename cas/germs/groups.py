@@ -13,7 +13,7 @@ from enum import IntEnum
 from typing import Literal
 
 from osculant.cas.errors import DomainError
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ, expanded
 from osculant.cas.germs.polynomials import Polynomial

@@ -18,7 +18,7 @@ from itertools import product
 from typing import Any
 
 from osculant.cas.errors import DomainError
-from osculant.cas.formula import parse_constant
+from osculant.cas.formulas.parser import parse_constant
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ, as_node
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from osculant.cas.errors import DomainError
-from osculant.cas.expression import Node, variable
+from osculant.cas.formulas.expression import Node, variable
 from osculant.cas.germs.annihilator import annihilator
 from osculant.cas.germs.codimension import codimension, contact_bound
 from osculant.cas.germs.germ import Germ, as_node

@@ -14,9 +14,9 @@ import sympy as sp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from osculant.cas import pencil
 from osculant.cas.derivations import affine, jets
-from osculant.cas.sympy_bridge import cbrt
+from osculant.cas.formulas.sympy_bridge import cbrt
+from osculant.cas.geometry import pencil
 from osculant.codegen import generate
 from osculant.codegen.closed_forms import ClosedForm, function_source, module_source
 from osculant.kernels.generated import laws

@@ -16,12 +16,12 @@ from flint import arb
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.balls import precision
 from osculant.cas.errors import FormulaError
-from osculant.cas.expression import FUNCTIONS, call, number
-from osculant.cas.fields import Balls, Multiprecision
-from osculant.cas.formula import parse, parse_tuple
-from osculant.cas.taylor import program
+from osculant.cas.formulas.expression import FUNCTIONS, call, number
+from osculant.cas.formulas.parser import parse, parse_tuple
+from osculant.cas.numbers.balls import precision
+from osculant.cas.numbers.fields import Balls, Multiprecision
+from osculant.cas.numbers.taylor import program
 from osculant.codegen.jets import compile_jet
 from tests.graphs import formulas, t
 

@@ -12,7 +12,7 @@ import json
 from contextlib import redirect_stdout
 from pathlib import Path
 
-from osculant.cli import main
+from osculant.cli.main import main
 
 SPIRAL = ["t*cos(t), t*sin(t)", "--from", "pi/6", "--to", "2*pi"]
 SEXTIC = "4*cos(t/3)**3*cos(t), 4*cos(t/3)**3*sin(t)"

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 from hypothesis import strategies as st
 
-from osculant.pieces import Piece, classify
+from osculant.pieces.conics import Piece, classify
 from osculant.spline import Spline
 
 

@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.errors import DomainError, OsculantError
-from osculant.pieces import Piece, classify
+from osculant.pieces.conics import Piece, classify
 from tests.front.samples import circle, pieces, spline_of
 from tests.oracles import hausdorff
 

@@ -7,11 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.codegen.jets import compile_jet
-from osculant.kernels import bitangent, exchange, greedy, scan
-from osculant.kernels.curve import JET_SIZE, sample, sample_many
-from osculant.kernels.minimax import minimax
+from osculant.kernels import search as greedy
+from osculant.kernels.conics import exchange, scan
+from osculant.kernels.conics import pencil as bitangent
+from osculant.kernels.conics.minimax import minimax
+from osculant.kernels.curves.plane import JET_SIZE, sample, sample_many
 
 NOISE = 4 * math.ulp(1.0)
 SPIRAL = compile_jet(parse_tuple("t*cos(t), t*sin(t)"), 2)

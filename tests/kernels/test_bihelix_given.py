@@ -6,11 +6,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry import bihelix_rules as reference
 from osculant.codegen.jets import compile_jet
 from osculant.kernels import bihelix_spline
-from osculant.kernels.bihelix import EQUIOSCILLATING, THESIS
+from osculant.kernels.bihelices.family import EQUIOSCILLATING, THESIS
 from osculant.kernels.bihelix_given import contents, fit_arcs
 
 CONICAL, MOMENT = "t*cos(t), t*sin(t), t", "t, t^2, t^3"
@@ -104,7 +104,7 @@ def contents_of(text, order, times, scale=1.0):
 def test_contents_are_the_laws_integrals():
     found = contents_of(MOMENT, 3, np.linspace(1, 2, 2001))[-1]
     # the law's constant is this integral, divided by the cube root of 324
-    assert found / 324 ** (1 / 3) == pytest.approx(0.257807, rel=1e-5)  # cas.bihelix_law
+    assert found / 324 ** (1 / 3) == pytest.approx(0.257807, rel=1e-5)  # cas.laws.bihelix_law
     salkowski = (
         "(-sin(11*t/5)/22 - 2*sin(t/5) - sin(t)/2)*4/5, "
         "(cos(11*t/5)/22 - 2*cos(t/5) + cos(t)/2)*4/5, 4/15*cos(6*t/5)"

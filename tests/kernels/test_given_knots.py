@@ -5,11 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.codegen.jets import compile_jet
-from osculant.kernels import counting, given_knots, greedy, scan
-from osculant.kernels.curve import JET_SIZE
-from osculant.kernels.minimax import minimax
+from osculant.kernels import counting, given_knots
+from osculant.kernels import search as greedy
+from osculant.kernels.conics import scan
+from osculant.kernels.conics.minimax import minimax
+from osculant.kernels.curves.plane import JET_SIZE
 from osculant.kernels.primitives import (
     AREA_PARABOLA,
     BIARC,

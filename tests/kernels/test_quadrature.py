@@ -8,9 +8,9 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.balls import PRECISION, CurveBalls, precision
-from osculant.cas.complexity import complexity_constant, law_of
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
+from osculant.cas.laws.complexity import complexity_constant, law_of
+from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
 from osculant.codegen.jets import compile_jet
 from osculant.kernels import primitives as codes
 from osculant.kernels.quadrature import contents, predicted

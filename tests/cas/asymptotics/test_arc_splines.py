@@ -12,8 +12,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.asymptotics import arc_laws, arc_splines
-from osculant.cas.asymptotics.arc_laws import arc_law, at_junction, moons, peak
+from osculant.cas.asymptotics import arc_splines
 from osculant.cas.asymptotics.arc_splines import (
     KAPPA,
     a,
@@ -25,10 +24,12 @@ from osculant.cas.asymptotics.arc_splines import (
     v,
     x,
 )
-from osculant.cas.balls import PRECISION, CurveBalls, precision
 from osculant.cas.errors import DomainError
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.biarcs import Biarc, equioscillating, junction_circle, member
+from osculant.cas.laws import arcs as arc_laws
+from osculant.cas.laws.arcs import arc_law, at_junction, moons, peak
+from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
 
 DIGITS = 50
 

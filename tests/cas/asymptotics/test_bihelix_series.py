@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from osculant.cas.asymptotics.bihelix_series import bihelix_series, frenet_series, leading_constant
 from osculant.cas.errors import DomainError
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bihelix_rules import SpaceArc, peaks, shifted_bihelix, thesis_bihelix
 
 small = st.fractions(min_value=-2, max_value=2, max_denominator=6)

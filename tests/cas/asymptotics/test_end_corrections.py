@@ -10,12 +10,12 @@ import sympy as sp
 from flint import arb
 
 from osculant.cas.asymptotics.end_corrections import end_correction, greedy_contents, model
-from osculant.cas.balls import PRECISION, CurveBalls, precision
-from osculant.cas.complexity import complexity_constant
 from osculant.cas.errors import DomainError
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bitangent import ReferenceCurve
 from osculant.cas.geometry.greedy import greedy_knots
+from osculant.cas.laws.complexity import complexity_constant
+from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
 
 
 @pytest.mark.parametrize(("primitive", "known"), [("parabola", "0.0550"), ("conic", "0.0484")])

@@ -21,7 +21,7 @@ from osculant.cas.asymptotics.flat_functions import (
     y,
 )
 from osculant.cas.errors import DomainError
-from osculant.cas.pencil import lobes
+from osculant.cas.geometry.pencil import lobes
 
 half = sp.Rational(1, 2)
 

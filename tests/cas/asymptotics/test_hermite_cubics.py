@@ -27,9 +27,9 @@ from osculant.cas.asymptotics.hermite_cubics import (
     k2,
     middle_is_best,
 )
-from osculant.cas.balls import CurveBalls
 from osculant.cas.errors import DomainError
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
+from osculant.cas.numbers.balls import CurveBalls
 
 DIGITS = 80
 

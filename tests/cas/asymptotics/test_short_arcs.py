@@ -10,17 +10,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.asymptotics.arc_displacement import KAPPA, displacement, optimal_pencil
-from osculant.cas.asymptotics.next_term import curvatures
 from osculant.cas.asymptotics.optimal_conic import mean_end_curvature, optimal_curvature
 from osculant.cas.asymptotics.short_arcs import arc_error, height_series, peak_height
-from osculant.cas.balls import CurveBalls, precision
 from osculant.cas.derivations import affine
 from osculant.cas.derivations.jets import equal
 from osculant.cas.errors import DomainError
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
-from osculant.cas.invariants import PlaneJet
-from osculant.cas.leading import error_constant
+from osculant.cas.jets.plane import PlaneJet
+from osculant.cas.laws.leading import error_constant
+from osculant.cas.laws.next_term import curvatures
+from osculant.cas.numbers.balls import CurveBalls, precision
 
 ORDERS = {"parabola": 4, "conic": 5}
 #: a graph x ↦ (x, y(x)) with generic derivatives, and curves in other parameters

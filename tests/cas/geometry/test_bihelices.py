@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from osculant.cas.asymptotics.space_complexity import curvature_slope_integral
 from osculant.cas.errors import DomainError, OsculantError, UndecidedError
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bihelices import (
     End,
     bihelix_through,
@@ -26,7 +26,7 @@ from osculant.cas.geometry.bihelix_rules import (
     shifted_bihelix,
     thesis_bihelix,
 )
-from osculant.cas.space_curves import add, cross, dot, scale, subtract
+from osculant.cas.jets.space import add, cross, dot, scale, subtract
 
 fractions = st.fractions(min_value=-3, max_value=3, max_denominator=12)
 

@@ -12,18 +12,18 @@ from flint import arb, fmpq
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.balls import CurveBalls, precision
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.fields import Multiprecision
-from osculant.cas.formula import parse_tuple
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.five_points import (
     Conic,
     conic_affine_curvature,
     five_point_conic,
     osculating_conic,
 )
-from osculant.cas.invariants import PlaneJet
-from osculant.cas.taylor import program
+from osculant.cas.jets.plane import PlaneJet
+from osculant.cas.numbers.balls import CurveBalls, precision
+from osculant.cas.numbers.fields import Multiprecision
+from osculant.cas.numbers.taylor import program
 
 SPIRAL = parse_tuple("t*cos(t), t*sin(t)", ("t",))
 small = st.fractions(-4, 4, max_denominator=5)

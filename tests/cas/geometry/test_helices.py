@@ -11,7 +11,6 @@ from flint import arb
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.balls import precision
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.helices import (
     CircularHelix,
@@ -21,7 +20,8 @@ from osculant.cas.geometry.helices import (
     symbolic_integrals,
 )
 from osculant.cas.geometry.short_helices import defect_coefficient, segment_forms, short_helix, turning_defect
-from osculant.cas.space_curves import SpaceJet, cross, dot, scale, subtract
+from osculant.cas.jets.space import SpaceJet, cross, dot, scale, subtract
+from osculant.cas.numbers.balls import precision
 
 numbers = st.integers(-9, 9)
 triples = st.tuples(numbers, numbers, numbers)

@@ -1,0 +1,1 @@
+"""Formulas: text, expressions, and the bridge to sympy."""

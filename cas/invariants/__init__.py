@@ -1,0 +1,1 @@
+"""Invariants of a formula as simplified expressions."""

@@ -1,0 +1,1 @@
+"""Invariants over jets: the derivatives of any curve."""

@@ -1,0 +1,1 @@
+"""Arithmetic: Taylor programs, balls, power series, divided differences, quadrature."""

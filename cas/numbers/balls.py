@@ -1,0 +1,160 @@
+"""A curve in ball arithmetic: enclosures of its Taylor series over points and intervals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import cache, partial
+from typing import Any, Generic, TypeVar
+
+from flint import arb, arb_series, ctx
+
+from osculant.cas.formulas.expression import Node
+from osculant.cas.jets.plane import PlaneJet
+from osculant.cas.jets.space import SpaceJet
+from osculant.cas.numbers.fields import Balls
+from osculant.cas.numbers.taylor import Program, program
+
+#: bits of all decisions; the roots of simple zeros are located to about this accuracy
+PRECISION = 320
+#: terms that power series may have; beyond flint's default of 10 it would drop some in silence
+TERMS = 128
+
+#: a form over jets, such as the one that vanishes where the curvature does
+Form = Callable[[PlaneJet], Any]
+Jet = TypeVar("Jet")
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """flint's working precision for a while, with power series of up to `TERMS` terms."""
+    before = ctx.prec, ctx.cap
+    ctx.prec, ctx.cap = bits, TERMS
+    try:
+        yield
+    finally:
+        ctx.prec, ctx.cap = before
+
+
+def ball(low: Any, high: Any) -> Any:
+    """The smallest ball around two others."""
+    return arb(low).union(arb(high))
+
+
+def constant(node: Node) -> Any:
+    """The ball of a constant formula at the current precision.
+
+    >>> from osculant.cas.formulas.parser import parse_constant
+    >>> constant(parse_constant("1/4"))
+    0.250000000000000
+    """
+    return program([node], 0).run(arb(0), Balls())[0][0]
+
+
+class FormulaBalls(Generic[Jet]):
+    """Taylor series of the coordinates of a curve as enclosures, and jets of them.
+
+    Args:
+        coordinates: the formulas, as many as ``jet_type`` takes.
+        jet_type: the jets made of them.
+        variable: name of the parameter.
+    """
+
+    def __init__(
+        self, coordinates: Sequence[Node], jet_type: Callable[..., Jet], variable: str = "t"
+    ) -> None:
+        self.coordinates = tuple(coordinates)
+        self.jet_type = jet_type
+        self.variable = variable
+        self.field = Balls()
+        self._program = cache(self._make_program)
+
+    def _make_program(self, order: int) -> Program:
+        return program(self.coordinates, order, self.variable, normalised=True)
+
+    def coefficients(self, t: Any, order: int) -> list[list[Any]]:
+        """Normalised Taylor coefficients 0…order of each coordinate at all points of the ball t."""
+        return self._program(order).run(t, self.field)
+
+    def jet(self, t: Any, order: int) -> Jet:
+        """The jet of that order at a ball, derivatives as balls."""
+        factorials = [arb(1)]
+        for k in range(1, order + 1):
+            factorials.append(factorials[-1] * k)
+        return self.jet_type(
+            *([c * f for c, f in zip(row, factorials, strict=True)] for row in self.coefficients(t, order))
+        )
+
+    def series_jet(self, t: Any, order: int, length: int) -> Jet | None:
+        """The jet of that order as power series of ``length`` terms about t; None where not finite."""
+        rows = self.coefficients(t, order + length - 1)
+        if not all(c.is_finite() for row in rows for c in row):
+            return None
+        derivatives: list[list[Any]] = []
+        for row in rows:
+            chain = []
+            for _ in range(order + 1):
+                chain.append(arb_series(row[:length], length))
+                row = [k * c for k, c in enumerate(row)][1:]
+            derivatives.append(chain)
+        return self.jet_type(*derivatives)
+
+    def form_series(self, form: Callable[[Jet], Any], t: Any, order: int, length: int) -> list[Any] | None:
+        """Taylor coefficients of a form over jets of that order, at all points of the ball t."""
+        jet = self.series_jet(t, order, length)
+        return None if jet is None else padded(form(jet), length)
+
+    def explain(self, t: Any) -> str:
+        """Why the curve has no finite series at t: the first operation that fails, in words."""
+        compiled = self._program(1)
+        values = compiled.trace(t, self.field)
+        for step, value in zip(compiled.instructions, values, strict=True):
+            if not value.is_finite():
+                return REASONS.get(step.op) or REASONS.get(str(step.value)) or f"{step.value} is undefined"
+        return "it is undefined"
+
+
+class CurveBalls(FormulaBalls[PlaneJet]):
+    """A plane curve: enclosures of the Taylor series of two coordinates."""
+
+    def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
+        super().__init__(coordinates, PlaneJet, variable)
+
+
+class SpaceBalls(FormulaBalls[SpaceJet]):
+    """A space curve: enclosures of the Taylor series of three coordinates.
+
+    Of a ball around 0 that stands for a sum of squares, such as |α̇ × α̈|² where κ = 0, the root is finite.
+
+    >>> from osculant.cas.formulas.parser import parse_tuple
+    >>> SpaceBalls(parse_tuple("cos(t), sin(t), 0")).jet(arb(0), 3).curvature
+    1.00000000000000
+    """
+
+    def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
+        super().__init__(coordinates, partial(SpaceJet, root=_root_of_squares), variable)
+
+
+def _root_of_squares(value: Any, _degree: int) -> Any:
+    """The square root of what is known not to be negative."""
+    return value.nonnegative_part().sqrt()
+
+
+#: what it means that an operation has no finite value
+REASONS = {
+    "div": "a division by zero",
+    "power": "a root of a number that is not positive",
+    "sqrt": "a root of a number that is not positive",
+    "log": "a logarithm of a number that is not positive",
+    "tan": "a pole of tan",
+    "sign": "abs has no derivative at 0",
+    "mul": "a pole",
+    "add": "a pole",
+    "sub": "a pole",
+}
+
+
+def padded(series: Any, length: int) -> list[Any]:
+    """The first coefficients of a power series, NaN where it does not reach so far."""
+    found = list(series.coeffs())[:length]
+    return found + [arb(0) if series.prec >= length else arb.nan()] * (length - len(found))

@@ -1,0 +1,278 @@
+"""The recurrences of Taylor arithmetic, one per operation and function, written as instructions.
+
+From the normalised Taylor coefficients f⁽ᵏ⁾/k! of its arguments every node of an expression graph gets its
+own (Griewank & Walther, *Evaluating Derivatives*, ch. 13).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import factorial
+from typing import Any
+
+from osculant.cas.errors import FormulaError
+from osculant.cas.formulas.expression import Node
+from osculant.cas.formulas.graph import topological
+
+
+@dataclass(frozen=True)
+class Instruction:
+    """One assignment: ``op`` of the values at ``args``; ``value`` is its exact constant or name.
+
+    ``op`` is one of number, constant, variable, add, sub, mul, div, neg, call, power.
+    """
+
+    op: str
+    args: tuple[int, ...] = ()
+    value: Any = None
+
+
+def write(
+    formulas: Sequence[Node], order: int, variable: str, normalised: bool
+) -> tuple[list[Instruction], list[list[int]]]:
+    """Instructions, none twice, for the derivatives 0…order of the formulas, and where their values are.
+
+    The second list has for every formula the indices of its derivatives, or of its Taylor coefficients
+    f⁽ᵏ⁾/k! if they are to be ``normalised``; some instructions may serve none of these.  Raises
+    FormulaError if a formula has another variable.
+
+    >>> from osculant.cas.formulas.expression import variable
+    >>> steps, [square] = write([variable("t") ** 2], 2, "t", False)
+    >>> [steps[index].op for index in square], steps[square[2]].value
+    (['mul', 'add', 'number'], Fraction(2, 1))
+    """
+    writer = _Writer(variable)
+    series: dict[Node, list[int]] = {}
+    for node in topological(formulas):
+        series[node] = writer.series(node, [series[arg] for arg in node.args], order + 1)
+    outputs = [
+        [c if normalised else writer.scale(c, Fraction(factorial(k))) for k, c in enumerate(series[f])]
+        for f in formulas
+    ]
+    return writer.steps, outputs
+
+
+class _Writer:
+    """Writes instructions once each, folding exact rationals so that structural zeros cost nothing."""
+
+    def __init__(self, variable: str) -> None:
+        self.variable = variable
+        self.steps: list[Instruction] = []
+        self.known: dict[Instruction, int] = {}
+        self.zero = self.number(Fraction(0))
+        self.one = self.number(Fraction(1))
+
+    # --- single values -------------------------------------------------------------------------
+    def emit(self, op: str, *args: int, value: Fraction | str | None = None) -> int:
+        step = Instruction(op, args, value)
+        if step not in self.known:
+            self.known[step] = len(self.steps)
+            self.steps.append(step)
+        return self.known[step]
+
+    def number(self, value: Fraction) -> int:
+        return self.emit("number", value=value)
+
+    def exact(self, index: int) -> Fraction | None:
+        step = self.steps[index]
+        return step.value if step.op == "number" and isinstance(step.value, Fraction) else None
+
+    def add(self, a: int, b: int) -> int:
+        if a == self.zero or b == self.zero:
+            return b if a == self.zero else a
+        p, q = self.exact(a), self.exact(b)
+        return self.number(p + q) if p is not None and q is not None else self.emit("add", a, b)
+
+    def neg(self, a: int) -> int:
+        p = self.exact(a)
+        return self.number(-p) if p is not None else self.emit("neg", a)
+
+    def sub(self, a: int, b: int) -> int:
+        if b == self.zero:
+            return a
+        if a == self.zero:
+            return self.neg(b)
+        p, q = self.exact(a), self.exact(b)
+        return self.number(p - q) if p is not None and q is not None else self.emit("sub", a, b)
+
+    def mul(self, a: int, b: int) -> int:
+        if self.zero in (a, b):
+            return self.zero
+        if self.one in (a, b):
+            return b if a == self.one else a
+        p, q = self.exact(a), self.exact(b)
+        return (
+            self.number(p * q) if p is not None and q is not None else self.emit("mul", min(a, b), max(a, b))
+        )
+
+    def div(self, a: int, b: int) -> int:
+        if a == self.zero or b == self.one:
+            return a
+        p, q = self.exact(a), self.exact(b)
+        return self.number(p / q) if p is not None and q else self.emit("div", a, b)
+
+    def scale(self, a: int, factor: Fraction) -> int:
+        return self.mul(a, self.number(factor))
+
+    def call(self, name: str, a: int) -> int:
+        return self.emit("call", a, value=name)
+
+    def dot(self, a: Sequence[int], b: Sequence[int]) -> int:
+        """Σ aⱼ b_{n−1−j}: one coefficient of a product."""
+        total = self.zero
+        for x, y in zip(a, reversed(b), strict=True):
+            total = self.add(total, self.mul(x, y))
+        return total
+
+    # --- whole series --------------------------------------------------------------------------
+    def series(self, node: Node, args: list[list[int]], n: int) -> list[int]:
+        """The first n coefficients of a node whose arguments have the series ``args``."""
+        kind = node.kind
+        if kind == "number":
+            return self.padded(self.number(node.value), n)
+        if kind in ("pi", "e"):
+            return self.padded(self.emit("constant", value=kind), n)
+        if kind == "variable":
+            if node.value != self.variable:
+                raise FormulaError(
+                    f"The formula contains the variable {node.value!r}; only {self.variable!r} is allowed."
+                )
+            return self.padded(self.emit("variable"), n)[:1] + self.padded(self.one, n)[: n - 1]
+        if kind in ("add", "sub"):
+            combine = self.add if kind == "add" else self.sub
+            return [combine(x, y) for x, y in zip(*args, strict=True)]
+        if kind == "neg":
+            return [self.neg(x) for x in args[0]]
+        if kind == "mul":
+            return self.product(args[0], args[1])
+        if kind == "div":
+            return self.quotient(args[0], args[1])
+        if kind == "pow":
+            return self.power(args[0], node.value)
+        return _RULES[node.value](self, args[0])
+
+    def padded(self, first: int, n: int) -> list[int]:
+        return [first] + [self.zero] * (n - 1)
+
+    def product(self, a: list[int], b: list[int]) -> list[int]:
+        return [self.dot(a[: k + 1], b[: k + 1]) for k in range(len(a))]
+
+    def quotient(self, a: list[int], b: list[int]) -> list[int]:
+        q: list[int] = []
+        for k in range(len(a)):
+            q.append(self.div(self.sub(a[k], self.dot(q, b[1 : k + 1])), b[0]))
+        return q
+
+    def power(self, a: list[int], exponent: Fraction) -> list[int]:
+        """a**exponent: repeated products for integers, else the rule of p′a = r a′p."""
+        if exponent.denominator == 1:
+            whole = self.natural_power(a, abs(int(exponent)))
+            return whole if exponent > 0 else self.quotient(self.padded(self.one, len(a)), whole)
+        if exponent == Fraction(1, 2):
+            return self.powered(a, exponent, self.call("sqrt", a[0]))
+        return self.powered(a, exponent, self.emit("power", a[0], value=exponent))
+
+    def natural_power(self, a: list[int], n: int) -> list[int]:
+        result, square = self.padded(self.one, len(a)), a
+        while n:
+            if n & 1:
+                result = self.product(result, square)
+            n >>= 1
+            if n:
+                square = self.product(square, square)
+        return result
+
+    def powered(self, a: list[int], r: Fraction, first: int) -> list[int]:
+        p = [first]
+        for k in range(1, len(a)):
+            weighted = [self.scale(a[j], j * r - (k - j)) for j in range(1, k + 1)]
+            p.append(self.div(self.dot(p, weighted), self.scale(a[0], Fraction(k))))
+        return p
+
+    def slopes(self, a: list[int]) -> list[int]:
+        """The coefficients j·aⱼ, j ≥ 1, of t·a′."""
+        return [self.scale(a[j], Fraction(j)) for j in range(1, len(a))]
+
+    def integral(self, first: int, a: list[int], density: Callable[[int, list[int]], int]) -> list[int]:
+        """y with y₀ = first and y′ = a′·g, where ``density(k, y)`` gives g_k once y₀…y_k are known."""
+        slopes, y, g = self.slopes(a), [first], [density(0, [first])] if len(a) > 1 else []
+        for k in range(1, len(a)):
+            y.append(self.scale(self.dot(slopes[:k], g), Fraction(1, k)))
+            if k + 1 < len(a):
+                g.append(density(k, y))
+        return y
+
+    def inverse_function(self, name: str, a: list[int], density: list[int]) -> list[int]:
+        return self.integral(self.call(name, a[0]), a, lambda k, _y: density[k])
+
+    def paired(self, a: list[int], names: tuple[str, str], sign: int) -> tuple[list[int], list[int]]:
+        """s, c with s′ = a′c and c′ = sign·a′s (sine and cosine, hyperbolic or not)."""
+        slopes = self.slopes(a)
+        s, c = [self.call(names[0], a[0])], [self.call(names[1], a[0])]
+        for k in range(1, len(a)):
+            next_s = self.scale(self.dot(slopes[:k], c), Fraction(1, k))
+            next_c = self.scale(self.dot(slopes[:k], s), Fraction(sign, k))
+            s.append(next_s)
+            c.append(next_c)
+        return s, c
+
+    def one_plus(self, a: list[int], sign: int) -> list[int]:
+        """1 + sign·a²."""
+        square = self.product(a, a)
+        combine = self.add if sign > 0 else self.sub
+        return [combine(one, x) for one, x in zip(self.padded(self.one, len(a)), square, strict=True)]
+
+
+def _tangent(w: _Writer, a: list[int], name: str, sign: int) -> list[int]:
+    # tan′ = (1 + tan²)a′, tanh′ = (1 − tanh²)a′
+    def density(k: int, y: list[int]) -> int:
+        square = w.dot(y[: k + 1], y[: k + 1])
+        one = w.one if k == 0 else w.zero
+        return w.add(one, square) if sign > 0 else w.sub(one, square)
+
+    return w.integral(w.call(name, a[0]), a, density)
+
+
+def _inverse_root(w: _Writer, a: list[int], square: list[int]) -> list[int]:
+    return w.power(square, Fraction(-1, 2))
+
+
+def _log(w: _Writer, a: list[int]) -> list[int]:
+    return w.inverse_function("log", a, w.quotient(w.padded(w.one, len(a)), a))
+
+
+def _abs(w: _Writer, a: list[int]) -> list[int]:
+    sign = w.call("sign", a[0])
+    return [w.mul(sign, x) for x in a]
+
+
+def _reciprocal(w: _Writer, a: list[int]) -> list[int]:
+    return w.quotient(w.padded(w.one, len(a)), a)
+
+
+def _less_one(w: _Writer, a: list[int]) -> list[int]:
+    return [w.neg(x) for x in w.one_plus(a, -1)]
+
+
+_RULES: Mapping[Any, Callable[[_Writer, list[int]], list[int]]] = {
+    "exp": lambda w, a: w.integral(w.call("exp", a[0]), a, lambda k, y: y[k]),
+    "log": _log,
+    "sin": lambda w, a: w.paired(a, ("sin", "cos"), -1)[0],
+    "cos": lambda w, a: w.paired(a, ("sin", "cos"), -1)[1],
+    "sinh": lambda w, a: w.paired(a, ("sinh", "cosh"), 1)[0],
+    "cosh": lambda w, a: w.paired(a, ("sinh", "cosh"), 1)[1],
+    "tan": lambda w, a: _tangent(w, a, "tan", 1),
+    "tanh": lambda w, a: _tangent(w, a, "tanh", -1),
+    "atan": lambda w, a: w.inverse_function("atan", a, _reciprocal(w, w.one_plus(a, 1))),
+    "atanh": lambda w, a: w.inverse_function("atanh", a, _reciprocal(w, w.one_plus(a, -1))),
+    "asin": lambda w, a: w.inverse_function("asin", a, _inverse_root(w, a, w.one_plus(a, -1))),
+    "acos": lambda w, a: w.inverse_function(
+        "acos", a, [w.neg(g) for g in _inverse_root(w, a, w.one_plus(a, -1))]
+    ),
+    "asinh": lambda w, a: w.inverse_function("asinh", a, _inverse_root(w, a, w.one_plus(a, 1))),
+    "acosh": lambda w, a: w.inverse_function("acosh", a, _inverse_root(w, a, _less_one(w, a))),
+    "cbrt": lambda w, a: w.powered(a, Fraction(1, 3), w.call("cbrt", a[0])),
+    "abs": _abs,
+}

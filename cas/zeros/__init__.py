@@ -1,0 +1,1 @@
+"""Zeros isolated in ball arithmetic: the points where curves are split."""

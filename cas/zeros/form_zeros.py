@@ -1,0 +1,270 @@
+"""Zeros of forms along a curve, such as the one that vanishes where the curvature does.
+
+Which forms is a parameter: a table of `ZeroForm` by name. Simple zeros are isolated in ball arithmetic;
+multiple ones are decided exactly where they lie at a simple rational, at a simple multiple of pi, or at an
+end of the interval; the rest is called undecided. The work is bounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Generic, TypeVar
+
+from flint import arb
+
+from osculant.cas.errors import DomainError
+from osculant.cas.formulas.expression import Node
+from osculant.cas.numbers.balls import PRECISION, FormulaBalls, ball, constant, padded, precision
+from osculant.cas.zeros.isolate import (
+    SMALLEST,
+    Box,
+    Isolation,
+    differentiated,
+    first_infinite,
+    isolate,
+    refine,
+    taylor_form,
+)
+from osculant.cas.zeros.multiplicity import order_of_zero, simple_numbers
+
+#: terms of the Taylor forms
+LENGTH = 14
+#: Taylor coefficients looked at, in turn, for the multiplicity of a zero
+MULTIPLE = (2, 10, 30, 90)
+#: terms beyond the multiplicity that show a zero to be alone
+BEYOND = 16
+#: unresolved boxes that are nearer than this many widths are one place
+NEAR = 256
+#: two zeros nearer than this, in parts of the interval, are one knot
+SAME = 2.0**-60
+#: probes that may show that a form does not vanish identically
+PROBES = ("0.38196601", "0.61803399", "0.14589803", "0.85410197", "0.5278640")
+
+Jet = TypeVar("Jet")
+
+
+@dataclass(frozen=True)
+class SpecialPoint:
+    """A zero of one or more forms.
+
+    ``at`` is a ball around the parameter value; ``kinds`` are the forms' names; ``decided`` is False where a
+    zero could be neither proved nor excluded.
+    """
+
+    at: Any
+    kinds: frozenset[str]
+    decided: bool = True
+
+
+@dataclass(frozen=True)
+class ZeroForm(Generic[Jet]):
+    """A form over jets whose zeros matter.
+
+    ``order`` is that of the jets it needs; ``parts`` gives forms that vanish too wherever it does, and may
+    sooner be seen not to.
+    """
+
+    form: Callable[[Jet], Any]
+    order: int
+    parts: Callable[[Jet], tuple[Any, ...]] = lambda jet: ()
+
+
+class FormZeros(Generic[Jet]):
+    """The zeros of some forms along a curve.
+
+    Args:
+        curve: in ball arithmetic.
+        forms: by name.
+
+    >>> from osculant.cas.numbers.balls import CurveBalls
+    >>> from osculant.cas.formulas.parser import parse_constant, parse_tuple
+    >>> forms = {"inflection": ZeroForm(lambda jet: jet.inflection_form, 2)}
+    >>> zeros = FormZeros(CurveBalls(parse_tuple("t, t^3")), forms)
+    >>> [point] = zeros.within(parse_constant("-1"), parse_constant("2"), ["inflection"])
+    >>> sorted(point.kinds), abs(point.at) < 1e-30
+    (['inflection'], True)
+    """
+
+    def __init__(self, curve: FormulaBalls[Jet], forms: Mapping[str, ZeroForm[Jet]]) -> None:
+        self.curve, self.forms = curve, forms
+
+    def vanishes(self, name: str, low: Any, high: Any) -> bool:
+        """Whether a form seems to vanish identically: its balls contain 0 at every probe, to 600 digits.
+
+        False is a proof; True asks for a symbolic one.
+        """
+        for bits in (PRECISION, 2048):
+            with precision(bits):
+                for probe in PROBES:
+                    t = arb((low + (high - low) * arb(probe)).mid())
+                    series = self.series(name, t, 1)
+                    if series is None:
+                        raise DomainError(undefined(self.curve, t, t, ()))
+                    if not series[0].contains(0):
+                        return False
+        return True
+
+    def require_finite(self, low: Node, high: Node, names: Sequence[str]) -> None:
+        """Raises DomainError, naming the parameter, unless the named forms are finite on [low, high]."""
+        with precision(PRECISION):
+            infinite = first_infinite(self.evaluate, names, constant(low), constant(high))
+            if infinite is not None:
+                raise DomainError(undefined(self.curve, *infinite, (low, high)))
+
+    def within(self, low: Node, high: Node, names: Sequence[str]) -> list[SpecialPoint]:
+        """The zeros of the named forms in [low, high], in order, merged where they coincide.
+
+        Points at the ends are reported too. The curve has to be finite there: see `require_finite`.
+        """
+        with precision(PRECISION):
+            a, b = constant(low), constant(high)
+            multiple = _MultipleZeros(self, (low, high))
+            found = isolate(self.evaluate, multiple, names, a, b)
+            points = self._simple(found) + multiple.points
+            known = [point.at for point in points]
+            small = (b - a) * NEAR * arb(2) ** -SMALLEST
+            for box in _joined(found.unresolved):
+                whole = ball(box.low, box.high)
+                if box.high - box.low < small:
+                    places = [next((at for at in known if at.overlaps(whole)), arb(whole.mid()))]
+                else:  # the work limit left it over: then both its ends are knots
+                    places = [arb(box.low.mid()), arb(box.high.mid())]
+                points += [SpecialPoint(at, frozenset(box.open), decided=False) for at in places]
+            return merged(points, b - a)
+
+    def evaluate(self, t: Any, names: Sequence[str]) -> dict[str, list[list[Any]]] | None:
+        """Series of several forms and of their parts over one ball; None where the curve is not finite."""
+        jet = self.curve.series_jet(t, max(self.forms[name].order for name in names), LENGTH)
+        if jet is None:
+            return None
+        return {
+            name: [padded(s, LENGTH) for s in (self.forms[name].form(jet), *self.forms[name].parts(jet))]
+            for name in names
+        }
+
+    def series(self, name: str, t: Any, length: int) -> list[Any] | None:
+        """Taylor coefficients of one form at all points of the ball t; None where not finite."""
+        return self.curve.form_series(self.forms[name].form, t, self.forms[name].order, length)
+
+    def _simple(self, found: Isolation) -> list[SpecialPoint]:
+        points = []
+        for name, brackets in found.brackets.items():
+
+            def value(t: Any, name: str = name) -> Any:
+                series = self.series(name, t, 1)
+                return arb.nan() if series is None else series[0]
+
+            def slope(t: Any, name: str = name) -> Any:
+                series = self.series(name, t, 2)
+                if series is not None and not series[1].contains(0):
+                    return series[1]
+                centre = arb(t.mid())  # a wide ball: the Taylor form that isolated the zero
+                over, at = self.series(name, t, LENGTH), self.series(name, centre, LENGTH)
+                if over is None or at is None:
+                    return arb.nan()
+                return taylor_form(differentiated(at), differentiated(over), t - centre)
+
+            for low, high in brackets:
+                zero = refine(value, slope, low, high, PRECISION // 2)
+                if zero is not None:
+                    points.append(SpecialPoint(zero, frozenset([name])))
+        return points
+
+    def vanishes_at(self, name: str, candidate: Node, multiplicity: int) -> bool:
+        """Whether the first ``multiplicity`` Taylor coefficients of a form vanish exactly at a constant."""
+        wanted = self.forms[name]
+        return order_of_zero(self.curve, wanted.form, wanted.order, candidate, multiplicity)
+
+
+def _joined(boxes: list[Box]) -> list[Box]:
+    """Unresolved boxes as one where less than `NEAR` of their widths lies between them."""
+    joined: list[Box] = []
+    for box in sorted(boxes, key=lambda box: float(box.low.mid())):
+        if joined and joined[-1].high + NEAR * (box.high - box.low) > box.low:
+            last = joined.pop()
+            box = Box(last.low, box.high, tuple(sorted({*last.open, *box.open})))
+        joined.append(box)
+    return joined
+
+
+class _MultipleZeros:
+    """Proves that a form has one zero, a multiple one, in a neighbourhood of a small interval.
+
+    If at a simple number c the first m Taylor coefficients of the form vanish exactly and its m-th
+    derivative has one sign on the neighbourhood, the form is (t − c)^m times something without zeros.
+    """
+
+    def __init__(self, zeros: FormZeros[Any], ends: tuple[Node, Node]) -> None:
+        self.zeros = zeros
+        self.ends = [(end, constant(end)) for end in ends]
+        # asked again at every width until the answer is yes
+        self.multiplicity, self.vanishes_at = cache(self._multiplicity), cache(zeros.vanishes_at)
+        self.points: list[SpecialPoint] = []
+
+    def __call__(self, name: str, low: Any, high: Any) -> tuple[Any, Any] | None:
+        """The neighbourhood, if a zero is proved in it (and noted in ``points``)."""
+        width = high - low
+        low, high = arb((low - width).mid()), arb((high + width).mid())
+        candidates = [(end, at) for end, at in self.ends if at >= low and at <= high]
+        for number in simple_numbers(low, high):
+            at = constant(number)
+            if not (at < self.ends[0][1] or at > self.ends[1][1]):
+                candidates.append((number, at))
+        for candidate, at in candidates:
+            if self.only_zero(name, candidate, ball(low, high)):
+                self.points.append(SpecialPoint(at, frozenset([name])))
+                return low, high
+        return None
+
+    def only_zero(self, name: str, candidate: Node, whole: Any) -> bool:
+        """Whether the form has a multiple zero exactly at the candidate and no other in ``whole``."""
+        multiplicity = self.multiplicity(name, candidate)
+        if multiplicity < 2:
+            return False  # not a zero, or a simple one, which isolation finds by itself
+        centre = arb(whole.mid())
+        over = self.zeros.series(name, whole, multiplicity + BEYOND)
+        around = self.zeros.series(name, centre, multiplicity + BEYOND)
+        if over is None or around is None:
+            return False
+        for _ in range(multiplicity):
+            around, over = differentiated(around), differentiated(over)
+        if taylor_form(around, over, whole - centre).contains(0):
+            return False
+        return self.vanishes_at(name, candidate, multiplicity)
+
+    def _multiplicity(self, name: str, candidate: Node) -> int:
+        """How many Taylor coefficients at the candidate seem to vanish before one that does not."""
+        for length in MULTIPLE:
+            series = self.zeros.series(name, constant(candidate), length)
+            for count, c in enumerate(series or [arb(1)]):
+                if not c.contains(0):
+                    return count
+        return 0
+
+
+def merged(points: Sequence[SpecialPoint], size: Any) -> list[SpecialPoint]:
+    """Points in order, as one where they coincide to `SAME` of the interval's size."""
+    found: list[SpecialPoint] = []
+    for point in sorted(points, key=lambda point: float(point.at.mid())):
+        if found and not abs(point.at - found[-1].at) > size * SAME:
+            last = found.pop()
+            sharper = min(point, last, key=lambda p: float(p.at.rad()))
+            point = SpecialPoint(sharper.at, last.kinds | point.kinds, last.decided and point.decided)
+        found.append(point)
+    return found
+
+
+def undefined(curve: FormulaBalls[Any], low: Any, high: Any, ends: Sequence[Node]) -> str:
+    """The sentence for a small interval in which the curve has no finite series."""
+    whole = ball(low, high)
+    known = [constant(end) for end in ends] + [constant(c) for c in simple_numbers(low, high)]
+    at = next((t for t in known if t.overlaps(whole)), whole)
+    value = curve.coefficients(at, 0)
+    reason = f"at t = {float(at.mid()):.10g} ({curve.explain(whole)})"
+    if all(row[0].is_finite() for row in value):
+        return (
+            f"The curve has no finite derivatives {reason}: reparametrise it, or take an interval without it."
+        )
+    return f"The curve is undefined or infinite {reason}: take an interval without it."

@@ -1,0 +1,205 @@
+"""Isolation of the zeros of analytic functions on an interval, in ball arithmetic, with bounded work.
+
+The functions are given by enclosures of their Taylor series.  An interval is done when the Taylor
+form excludes 0, or when the derivative excludes 0, so that there is one zero or none; otherwise it is
+divided.  What is left at the smallest width is returned as unresolved: multiple zeros look like that,
+and the caller may decide them exactly.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from flint import arb
+
+from osculant.cas.errors import UndecidedError
+from osculant.cas.numbers.balls import ball
+
+#: intervals are divided here, not in the middle, where formulas like to have their special points
+CUT = 0.48713
+#: intervals looked at before all open ones are given back as unresolved
+WORK_LIMIT = 6_000
+#: the smallest width, in parts of the whole interval, as a power of two
+SMALLEST = 36
+
+#: from this width on, in the same measure, multiple zeros are looked for
+SMALL = 5
+
+#: (ball, names) → for each function its series there, then series that vanish too wherever it does;
+#: None where one is not finite
+Evaluate = Callable[[Any, Sequence[str]], Mapping[str, list[list[Any]]] | None]
+#: (name, low, high) → an interval around it that needs no more work for this function, or None
+Decide = Callable[[str, Any, Any], tuple[Any, Any] | None]
+
+
+@dataclass
+class Box:
+    """An interval and the functions whose zeros in it are open."""
+
+    low: Any
+    high: Any
+    open: tuple[str, ...]
+
+
+@dataclass
+class Isolation:
+    """Simple zeros by function (as narrow brackets), and the boxes that stayed unresolved."""
+
+    brackets: dict[str, list[tuple[Any, Any]]] = field(default_factory=dict)
+    unresolved: list[Box] = field(default_factory=list)
+    #: (function, low, high): intervals whose zeros the caller has decided by other means
+    decided: list[tuple[str, Any, Any]] = field(default_factory=list)
+
+
+def taylor_form(at_centre: list[Any], over: list[Any], h: Any) -> Any:
+    """An enclosure over an interval: the polynomial at its centre plus the last term over all of it."""
+    total = over[-1]
+    for c in reversed(at_centre[:-1]):
+        total = c + h * total
+    return total
+
+
+def differentiated(series: list[Any]) -> list[Any]:
+    """The coefficients of the derivative."""
+    return [k * c for k, c in enumerate(series)][1:]
+
+
+def divided(low: Any, high: Any) -> Any:
+    """Where an interval is cut."""
+    return arb((low + CUT * (high - low)).mid())
+
+
+def first_infinite(evaluate: Evaluate, names: Sequence[str], low: Any, high: Any) -> tuple[Any, Any] | None:
+    """A smallest interval in which no finite series was found, the leftmost; None if there is none.
+
+    Raises UndecidedError after `WORK_LIMIT` intervals.
+
+    >>> first_infinite(lambda t, names: None, ["f"], arb(0), arb(1)) is not None
+    True
+    """
+    least = (high - low) * arb(2) ** -SMALLEST
+    stack = [(low, high)]
+    for _ in range(WORK_LIMIT):
+        if not stack:
+            return None
+        low, high = stack.pop()
+        if evaluate(ball(low, high), names) is None:
+            if high - low < least:
+                return low, high
+            cut = divided(low, high)
+            stack += [(cut, high), (low, cut)]
+    raise UndecidedError(
+        f"Whether the curve is finite near t = {float(low):.10g} could not be told: "
+        "write the formula so that less cancels, or take an interval without this point."
+    )
+
+
+def isolate(evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, high: Any) -> Isolation:
+    """Isolate the zeros of the named functions on [low, high], where all of them are finite.
+
+    Brackets of simple zeros have ends where the sign is certain, or the end of the whole interval.
+    ``decide(name, low, high)`` may settle what happens on a small interval; it then returns an interval
+    on which nothing is left to do for that function.
+    """
+    found = Isolation({name: [] for name in names})
+    size = high - low
+    queue = deque([Box(low, high, tuple(names))])  # wide ones first: a hard place must not starve the others
+    for _ in range(WORK_LIMIT):
+        if not queue:
+            return found
+        box = queue.popleft()
+        width = box.high - box.low
+        box.open = tuple(name for name in box.open if not _is_decided(found, name, box))
+        box.open = _undecided(evaluate, box, found)
+        if width < size * arb(2) ** -SMALL:
+            box.open = tuple(name for name in box.open if not _decide(decide, name, box, found))
+        if box.open and width < size * arb(2) ** -SMALLEST:
+            found.unresolved.append(box)
+        elif box.open:
+            cut = divided(box.low, box.high)
+            queue += [Box(box.low, cut, box.open), Box(cut, box.high, box.open)]
+    found.unresolved += queue
+    return found
+
+
+def _is_decided(found: Isolation, name: str, box: Box) -> bool:
+    return any(name == known and box.low >= low and box.high <= high for known, low, high in found.decided)
+
+
+def _decide(decide: Decide, name: str, box: Box, found: Isolation) -> bool:
+    settled = decide(name, box.low, box.high)
+    if settled is not None:
+        found.decided.append((name, *settled))
+    return settled is not None
+
+
+def _undecided(evaluate: Evaluate, box: Box, found: Isolation) -> tuple[str, ...]:
+    """The functions still open on the box; simple zeros go to ``found``."""
+    if not box.open:
+        return ()
+    centre = arb(((box.low + box.high) / 2).mid())
+    whole = ball(box.low, box.high)
+    over = evaluate(whole, box.open)
+    if over is None:
+        return box.open
+    still = [name for name in box.open if all(series[0].contains(0) for series in over[name])]
+    at = evaluate(centre, still) if still else {}
+    if at is None:
+        return box.open
+    left = []
+    for name in still:
+        values = [taylor_form(*pair, whole - centre) for pair in zip(at[name], over[name], strict=True)]
+        if not all(value.contains(0) for value in values):
+            continue
+        slope = taylor_form(differentiated(at[name][0]), differentiated(over[name][0]), whole - centre)
+        if slope.contains(0):
+            left.append(name)
+        else:
+            found.brackets[name].append((box.low, box.high))
+    return tuple(left)
+
+
+def refine(
+    value: Callable[[Any], Any], slope: Callable[[Any], Any], low: Any, high: Any, bits: int
+) -> Any | None:
+    """The zero of a monotone function in [low, high] as a ball of relative width about 2^−bits.
+
+    Interval Newton steps, bisection where they do not halve.  ``value`` and ``slope`` enclose the
+    function and its derivative over a ball.  None if there is no zero; where the sign at an end of
+    the interval cannot be told, that end is returned: the zero is there or indistinguishably near.
+
+    >>> zero = refine(lambda t: t * t - 2, lambda t: 2 * t, arb(1), arb(2), 40)
+    >>> abs(zero - arb(2).sqrt()) < 1e-11
+    True
+    """
+    at_low, at_high = value(low), value(high)
+    if at_low.contains(0):
+        return arb(low)
+    if at_high.contains(0):
+        return arb(high)
+    if (at_low > 0) == (at_high > 0):
+        return None
+    rising = bool(at_high > 0)
+    target = (high - low) * arb(2) ** -bits
+    while high - low > target:
+        width = high - low
+        middle = arb(((low + high) / 2).mid())
+        at_middle = value(middle)
+        if at_middle.contains(0):
+            return ball(middle - target, middle + target)
+        if (at_middle > 0) == rising:
+            high = middle
+        else:
+            low = middle
+        newton = middle - at_middle / slope(ball(low, high))
+        if newton.is_finite():
+            if newton.lower() > low:
+                low = arb(newton.lower())
+            if newton.upper() < high:
+                high = arb(newton.upper())
+        if not high - low < width:
+            break
+    return ball(low, high)

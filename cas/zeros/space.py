@@ -1,0 +1,94 @@
+"""Special points of a space curve, where theory wants a spline of bihelices to be split.
+
+* cusps and other singular points, α̇ = 0;
+* points of zero curvature, κ = 0, where the Frenet frame and the torsion do not exist;
+* vertices, κ′ = 0, where the leading term |κ′|σ³/324 of a bihelix's error vanishes.
+
+The first two are zeros of sums of squares, hence multiple: they are proved at a simple rational, a simple
+multiple of pi or an end of the interval, and called undecided elsewhere. In a plane α̇ × α̈ has a constant
+direction, and one of its coordinates, whose zeros are simple, will do for κ = 0. A zero of κ is a zero of the
+form of κ′ as well, and a cusp one of all forms: such a point has several kinds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from flint import arb
+
+from osculant.cas.formulas.expression import Node
+from osculant.cas.jets.space import SpaceJet
+from osculant.cas.numbers.balls import PRECISION, SpaceBalls, constant, precision
+from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint, ZeroForm
+
+#: a place inside the interval, unlikely to be a zero of anything
+INSIDE = "0.38196601"
+#: what splits a spline, and the form that tells whether the torsion is constant, given a constant curvature
+FORMS: Mapping[str, ZeroForm[SpaceJet]] = {
+    "cusp": ZeroForm(lambda jet: jet.speed_squared, 1, lambda jet: jet.point(1)),
+    "inflection": ZeroForm(lambda jet: jet.inflection_form, 2, lambda jet: jet.cross(1, 2)),
+    "vertex": ZeroForm(lambda jet: jet.curvature_slope_form, 3),
+    "planar": ZeroForm(lambda jet: jet.torsion_form, 3),
+    "slope": ZeroForm(lambda jet: jet.helix_form, 4),
+}
+
+
+def zeros(curve: SpaceBalls) -> FormZeros[SpaceJet]:
+    """The zeros of `FORMS` along a curve."""
+    return FormZeros(curve, FORMS)
+
+
+def vanishes(curve: SpaceBalls, name: str, low: Any, high: Any) -> bool:
+    """Whether a form of `FORMS` seems to vanish identically on [low, high] (balls), to 600 digits.
+
+    False is a proof; True asks for a symbolic one.
+
+    >>> from flint import arb
+    >>> from osculant.cas.formulas.parser import parse_tuple
+    >>> helix = SpaceBalls(parse_tuple("3*cos(t), 3*sin(t), 4*t"))
+    >>> [vanishes(helix, name, arb(0), arb(1)) for name in ("inflection", "vertex", "planar", "slope")]
+    [False, True, False, True]
+    """
+    return zeros(curve).vanishes(name, low, high)
+
+
+def require_finite(curve: SpaceBalls, low: Node, high: Node) -> None:
+    """Raises DomainError, naming the parameter value, unless the curve has finite series on [low, high]."""
+    zeros(curve).require_finite(low, high, ["vertex"])
+
+
+def special_points(
+    curve: SpaceBalls, low: Node, high: Node, names: Sequence[str], planar: bool = False
+) -> list[SpecialPoint]:
+    """The special points of the given kinds in [low, high], in order, merged where they coincide.
+
+    Args:
+        curve: finite on the interval, see `require_finite`.
+        low: first end, a constant formula.
+        high: last end.
+        names: among "cusp", "inflection" (κ = 0) and "vertex" (κ′ = 0); forms that vanish identically
+            are not to be asked for.
+        planar: whether the curve is known to lie in a plane.
+
+    Points at the ends are reported too.
+
+    >>> from osculant.cas.formulas.parser import parse_constant, parse_tuple
+    >>> cubic, ends = SpaceBalls(parse_tuple("t, t^2, t^3")), map(parse_constant, ("-1", "1"))
+    >>> [vertex] = special_points(cubic, *ends, ["cusp", "inflection", "vertex"])
+    >>> sorted(vertex.kinds), abs(vertex.at) < 1e-30
+    (['vertex'], True)
+    """
+    forms = dict(FORMS)
+    if planar and "inflection" in names:
+        with precision(PRECISION):
+            forms["inflection"] = _bend_in_plane(curve, constant(low), constant(high))
+    return FormZeros(curve, forms).within(low, high, names)
+
+
+def _bend_in_plane(curve: SpaceBalls, low: Any, high: Any) -> ZeroForm[SpaceJet]:
+    """The coordinate of α̇ × α̈ that is largest somewhere inside, where the curve is not straight."""
+    middle = arb((low + (high - low) * arb(INSIDE)).mid())
+    sizes = [abs(float(part.mid())) for part in curve.jet(middle, 2).cross(1, 2)]
+    largest = sizes.index(max(sizes))
+    return ZeroForm(lambda jet: jet.cross(1, 2)[largest], 2)

@@ -1,0 +1,1 @@
+"""Biarcs: two circular arcs with a common tangent."""

@@ -1,0 +1,1 @@
+"""Bihelices: two helical arcs with a common tangent."""

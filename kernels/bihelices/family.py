@@ -1,0 +1,199 @@
+"""One bihelix of an arc: its junction by either rule, and its two helices.
+
+Two short helices from (p_L, T_L) over (p₀, T₀) to (p_R, T_R).  Given T₀, the junction point p₀ is on the
+junction line, ⟨p₀ − p_L, T₀ − T_L⟩ = 0 = ⟨p_R − p₀, T_R − T₀⟩.  At the offset u from the middle of an arc of
+length σ the approximation theorem asks for T₀ = normalise(T − κ′(σ²/24 + u²/2)N).
+
+* `THESIS`: u = 0, and p₀ is the point of the line nearest to the middle of the arc;
+* `EQUIOSCILLATING`: p₀ is the point of the line nearest to the curve, and u makes the largest distances on
+  both sides of the junction equal (`osculant.kernels.bihelices.balance`);
+* `LEVEL`, in place of either where it has no bihelix: T₀ is turned until q, the curve point at u, has the
+  same distance d from both junction planes, along their normals, and p₀ is the point of the line nearest to
+  q.  Beside κ = 0 the two planes are so nearly parallel that their line may be as far from the curve as the
+  arc from its chord, and helices turn a lot to get there; here |p₀ − q| is d/cos(half the planes' angle).
+
+`osculant.cas.geometry.bihelix_rules` is the reference.
+"""
+
+from __future__ import annotations
+
+import math
+
+from osculant.kernels.bihelices.helix import SAME, Helix, short_helix, straight
+from osculant.kernels.curves.arc_length import Lengths, after
+from osculant.kernels.curves.space import Source, bends, sample
+from osculant.kernels.curves.vectors import Vector, combine, cross, dot, norm, scaled, subtract, unit
+from osculant.kernels.jit import kernel
+
+#: the rules, and what stands in for either
+THESIS, EQUIOSCILLATING, LEVEL = 0, 1, 2
+#: a point of the curve with its unit tangent
+End = tuple[Vector, Vector]
+#: (left helix, right helix, parameter of the curve point in the junction's normal plane)
+Bihelix = tuple[Helix, Helix, float]
+
+#: the residual of ⟨p₁ − p₀, T₁ − T₀⟩/|p₁ − p₀| that a helix of a bihelix may have
+RESIDUAL = 1e-10
+#: arcs count as plane, and as straight, up to this many times the noise of the coordinates
+FLAT = 16.0
+#: planes whose normals' angle has a smaller sine are parallel
+PARALLEL = 1e-9
+#: steps to the foot of the junction, and their relative change that ends them
+STEPS, SETTLED = 30, 1e-9
+#: difference of the distances from two junction planes times change of tangent, relative to σ: that is none
+SAME_HEIGHT = 2.0**-52
+
+
+@kernel
+def offset(left: End, right: End, tangent: Vector, q: Vector) -> tuple[Vector, Vector]:
+    """(p₀ − q, W) for the point p₀ of the junction line of ``tangent`` nearest to q, W being its direction.
+
+    W is 0 where the two junction planes are parallel; then p₀ is in that of the left end, and there may be no
+    bihelix.
+
+    >>> left, right = ((0., 0., 0.), (1., 0., 0.)), ((2., 2., 0.), (0., 1., 0.))
+    >>> r = math.sqrt(0.5)
+    >>> [round(x, 12) for x in offset(left, right, (r, r, 0.0), (1.0, 1.0, 3.0))[0][:2]]
+    [0.414213562373, -0.414213562373]
+    """
+    first, second = subtract(tangent, left[1]), subtract(right[1], tangent)
+    off_first = -dot(subtract(q, left[0]), first)
+    off_second = -dot(subtract(q, right[0]), second)
+    w = cross(first, second)
+    square, size = dot(w, w), dot(first, first)
+    if square <= PARALLEL * PARALLEL * size * dot(second, second):
+        if size <= 16.0 * SAME * SAME:
+            return (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+        return scaled(off_first / size, first), (0.0, 0.0, 0.0)
+    a, b = cross(second, w), cross(w, first)
+    return combine(off_first / square, a, off_second / square, b), w
+
+
+@kernel
+def nearest_to_curve(
+    source: Source, a: float, left: End, b: float, right: End, tangent: Vector, t: float
+) -> tuple[float, Vector]:
+    """(parameter, p₀) of the curve point nearest to the junction line of ``tangent`` and of the line's point.
+
+    Safeguarded Newton on the distance, from t on.
+    """
+    low, high = a, b
+    p, v, _ = sample(source, t)
+    away, w = offset(left, right, tangent, p)
+    if dot(w, w) == 0.0:
+        return t, combine(1.0, p, 1.0, away)
+    w = unit(w)
+    for _ in range(STEPS):
+        p, v, acceleration = sample(source, t)
+        away = offset(left, right, tangent, p)[0]
+        fall = dot(away, v)  # minus half the derivative of the squared distance
+        across = combine(1.0, v, -dot(v, w), w)
+        bend = dot(across, across) - dot(away, acceleration)
+        if fall > 0.0:
+            low = t
+        else:
+            high = t
+        new = t + fall / bend if bend > 0.0 else math.nan
+        if not (new >= low and new <= high):
+            new = 0.5 * (low + high)
+        step, t = new - t, new
+        if abs(step) <= SETTLED * (b - a):
+            break
+    p = sample(source, t)[0]
+    return t, combine(1.0, p, 1.0, offset(left, right, tangent, p)[0])
+
+
+@kernel
+def levelled(left: End, right: End, tangent: Vector, q: Vector, sigma: float) -> tuple[Vector, Vector]:
+    """(T₀, p₀) with q equally far from both junction planes, T₀ turned from ``tangent`` along their normals.
+
+    Turning T₀ by β changes the difference of the distances by βσ/2, to leading order on every short arc,
+    which starts secant steps.  p₀ is NaN if they find nothing.
+
+    >>> left, right = ((0., 0., 0.), (1., 0., 0.)), ((2., 2., 0.), (0., 1., 0.))
+    >>> r = math.sqrt(0.5)
+    >>> tangent, p = levelled(left, right, (0.6, 0.8, 0.0), (2 * r, 2 - 2 * r, 0.0), math.pi)
+    >>> [abs(round(x, 9)) for x in subtract(tangent, (r, r, 0.0))], [round(x, 9) for x in p]
+    ([0.0, 0.0, 0.0], [1.414213562, 0.585786438, 0.0])
+    """
+    slope, turned, before = 0.5 * sigma, 0.0, 0.0
+    for _ in range(STEPS):
+        first, second = subtract(tangent, left[1]), subtract(right[1], tangent)
+        least = min(norm(first), norm(second))
+        first, second = unit(first), unit(second)
+        off_first, off_second = dot(subtract(left[0], q), first), dot(subtract(right[0], q), second)
+        mean = combine(1.0, first, 1.0, second)
+        gap = off_first - off_second
+        if abs(gap) * least <= SAME_HEIGHT * sigma:  # as exactly as rounded tangents can tell
+            return tangent, combine(1.0, q, (off_first + off_second) / dot(mean, mean), mean)
+        if turned != 0.0:
+            slope = min(2.0 * sigma, max(0.125 * sigma, (gap - before) / turned))
+        turned, before = -gap / slope, gap
+        tangent = unit(combine(1.0, tangent, turned, unit(mean)))
+    return tangent, (math.nan, math.nan, math.nan)
+
+
+@kernel
+def normal_plane(source: Source, a: float, b: float, p: Vector, tangent: Vector, t: float) -> float:
+    """The parameter near t of the curve point x with ⟨x − p, tangent⟩ = 0."""
+    low, high = a, b
+    for _ in range(STEPS):
+        x, v, _ = sample(source, t)
+        height = dot(subtract(x, p), tangent)
+        if height < 0.0:
+            low = t
+        else:
+            high = t
+        slope = dot(v, tangent)
+        new = t - height / slope if slope > 0.0 else math.nan
+        if not (new >= low and new <= high):
+            new = 0.5 * (low + high)
+        step, t = new - t, new
+        if abs(step) <= SETTLED * (b - a):
+            break
+    return t
+
+
+@kernel
+def bihelix(
+    rule: int, source: Source, a: float, left: End, b: float, right: End,
+    sigma: float, u: float, lengths: Lengths,
+) -> tuple[bool, Bihelix]:  # fmt: skip
+    """(found, bihelix) of the arc [a, b] with the junction at the offset u from its middle (0: `THESIS`).
+
+    Args:
+        rule: `THESIS`, `EQUIOSCILLATING` or `LEVEL`: which junction.
+        source: the curve, of size about 1.
+        a: parameter of the left end.
+        left: point and tangent there.
+        b: of the right end.
+        right: likewise.
+        sigma: the arc's length, as ``measure_lengths`` found it.
+        u: arc length from the middle to the curve point that determines the junction tangent.
+        lengths: what ``measure_lengths`` left.
+    """
+    noise = source[1][4]
+    t = after(lengths, a, b, 0.5 * sigma + u, sigma)
+    p, tangent, lean, _, _, _ = bends(source, t)
+    junction_tangent = unit(combine(1.0, tangent, -(sigma * sigma / 24.0 + 0.5 * u * u), lean))
+    if rule == THESIS:
+        junction = combine(1.0, p, 1.0, offset(left, right, junction_tangent, p)[0])
+    elif rule == LEVEL:
+        junction_tangent, junction = levelled(left, right, junction_tangent, p, sigma)
+    else:
+        t, junction = nearest_to_curve(source, a, left, b, right, junction_tangent, t)
+    flat = FLAT * noise
+    first = short_helix(left[0], left[1], junction, junction_tangent, RESIDUAL, flat)
+    second = short_helix(junction, junction_tangent, right[0], right[1], RESIDUAL, flat)
+    found = first[0] >= 0 and second[0] >= 0
+    if found:
+        t = normal_plane(source, a, b, junction, junction_tangent, t)
+    return found, (first[2], second[2], t)
+
+
+@kernel
+def chord(left: End, right: End, t: float) -> Bihelix:
+    """The straight segment between the ends as a bihelix, cut at its middle; t is the curve's."""
+    step = subtract(right[0], left[0])
+    half, tangent = 0.5 * norm(step), unit(step)
+    return straight(left[0], tangent, half), straight(combine(0.5, left[0], 0.5, right[0]), tangent, half), t

@@ -1,0 +1,1 @@
+"""Conics tangent to an arc at both ends, and parabolas among them."""

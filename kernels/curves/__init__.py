@@ -1,0 +1,1 @@
+"""The curve, sampled inside kernels."""

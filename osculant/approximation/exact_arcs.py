@@ -1,0 +1,210 @@
+"""A stretch on which the curve is a segment, or an arc of the primitive: the pieces are parts of it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from osculant.approximation.arcs import NOISE_ULPS, Arcs, Coordinates, Local
+from osculant.approximation.division import INSIDE
+from osculant.approximation.runs import Floats, Progress, Run, equal_parts, equal_shares
+from osculant.kernels import search as greedy
+from osculant.kernels.conics import pencil as bitangent
+from osculant.kernels.conics import scan
+from osculant.kernels.curves.plane import JET_SIZE, sample_many
+from osculant.kernels.primitives import BIARCS
+from osculant.pieces.conics import Piece
+from osculant.primitives.table import PRIMITIVES
+
+if TYPE_CHECKING:
+    from osculant.approximation.division import Stretch
+    from osculant.primitives.table import Fit
+
+#: panels and nodes of the quadrature of affine length along an exact arc
+PANELS, NODES = 64, 8
+#: an arc of a conic turns at most by this: it is bounded up to 2π, and well-conditioned up to here
+WIDEST = 1.5 * math.pi
+#: errors of arcs of the curve itself below so many times the noise, the floor of tolerances, are rounding
+RESOLVED = 250.0
+
+
+class Segments:
+    """A straight stretch: a `osculant.approximation.runs.Part`."""
+
+    exact, least, order = True, 1, 1
+
+    def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch) -> None:
+        self.coordinates, self.stretch, self.ends = coordinates, stretch, (stretch.a, stretch.b)
+        self.noise = NOISE_ULPS * coordinates.size.rounding(fit.dimension)
+
+    def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
+        """One segment."""
+        return self.fitted(self.spread(1))
+
+    def at_least(self, high: float) -> int:
+        """One."""
+        return 1
+
+    def fitted(self, knots: Floats) -> Run:
+        """Segments between the knots."""
+        return Run(knots, np.zeros(len(knots) - 1), np.empty((len(knots) - 1, 0)))
+
+    def spread(self, count: int) -> Floats:
+        """Knots that divide the segment equally."""
+        if count == 1:
+            return np.array(self.ends)
+        # in its length, whatever the parameter
+        times = equal_parts(self.ends, PANELS * count)
+        points = _sampled(self.coordinates, times)[:, [0, 3]]
+        start = np.array(self.stretch.start.point)
+        reached = np.hypot(*(points - start).T)
+        return equal_shares(times, np.maximum.accumulate(reached), count)
+
+    def pieces(self, run: Run) -> list[Piece]:
+        """The segments themselves."""
+        points = [
+            self.stretch.start.point,
+            *map(_pair, _sampled(self.coordinates, run.knots[1:-1])[:, [0, 3]]),
+        ]
+        points.append(self.stretch.end.point)
+        return [
+            Piece.segment((float(a), float(b)), start, end)
+            for a, b, start, end in zip(run.knots, run.knots[1:], points, points[1:])
+        ]
+
+
+class ExactArcs(Arcs):
+    """A stretch of a conic, for conics, or of a circle, for biarcs: a `osculant.approximation.runs.Part`.
+
+    Pieces have equal affine lengths and turn by less than `Primitive.turning` each.  Without a symbolic proof
+    that the curve is what it seems to be, errors are what is measured; where a bend is too sharp for the
+    arc's doubles, pieces are fitted as to any curve.
+    """
+
+    exact = True
+
+    def __init__(
+        self, coordinates: Coordinates, fit: Fit, stretch: Stretch, primitive: str, proved: bool
+    ) -> None:
+        super().__init__(coordinates, fit, stretch)
+        self.primitive, self.proved = primitive, proved
+
+    @cached_property
+    def _lengths(self) -> tuple[Floats, Floats, float]:
+        """Parameters, the affine lengths from the beginning to them, and the whole Euclidean length."""
+        nodes, weights = np.polynomial.legendre.leggauss(NODES)
+        edges = np.linspace(*self.ends, PANELS + 1)
+        half = np.diff(edges) / 2
+        times = (edges[:-1] + half)[:, None] + half[:, None] * nodes
+        jets = _sampled(self.coordinates, times.ravel())
+        density = np.cbrt(np.abs(jets[:, 1] * jets[:, 5] - jets[:, 2] * jets[:, 4])).reshape(times.shape)
+        speed = np.hypot(jets[:, 1], jets[:, 4]).reshape(times.shape)
+        affine = np.concatenate([[0.0], np.cumsum(half * (density @ weights))])
+        return edges, affine, float(half @ (speed @ weights))
+
+    def _constant(self, name: str) -> float:
+        """Curvature or affine curvature, which is the same everywhere."""
+        from osculant.cas.numbers.balls import PRECISION, precision
+
+        with precision(PRECISION):
+            inside = (self.stretch.low + (self.stretch.high - self.stretch.low) * INSIDE).mid()
+            return float(getattr(self.coordinates.curve.balls.jet(inside, 4), name).mid())
+
+    @cached_property
+    def _turning(self) -> float:
+        """A conic turns by π over the affine length π/√k."""
+        return float(self._lengths[1][-1]) * math.sqrt(max(self._constant("affine_curvature"), 0.0))
+
+    @cached_property
+    def usual(self) -> int:
+        """How many pieces there are unless a number is given: they turn by less than `Primitive.turning`."""
+        return _parts(self._turning / PRIMITIVES[self.primitive].turning)
+
+    @cached_property
+    def least(self) -> int:
+        """How many pieces can be asked for: a conic's weight is −1/√2 where it turns by `WIDEST`."""
+        return _parts(self._turning / max(WIDEST, PRIMITIVES[self.primitive].turning))
+
+    def spread(self, count: int) -> Floats:
+        """Knots of equal affine lengths."""
+        edges, lengths, _ = self._lengths
+        return equal_shares(edges, lengths, count)
+
+    def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
+        """As few pieces as the turning allows, or, if doubles cannot follow those, as to any curve."""
+        run = self.fitted(self.spread(self.usual))
+        if run.error <= high:
+            return run
+        return replace(super().greedy(low, high, progress), limited=True)
+
+    def at_least(self, high: float) -> int:
+        """As many as the turning allows."""
+        return self.least
+
+    def fitted(self, knots: Floats) -> Run:
+        """The arcs of the curve between the knots; errors are 0 if doubles can follow them."""
+        rows, off = (self._circles if self.fit.code in BIARCS else self._conics)(knots)
+        errors = off / self.coordinates.scale
+        if self.fit.dimension == 2:  # an area is no more than width times length
+            errors = errors * self._lengths[2]
+        resolved = errors <= RESOLVED * self.noise
+        return Run(knots, np.where(resolved & self.proved, 0.0, errors), rows)
+
+    def _frames(self, knots: Floats) -> list[Local]:
+        stretch, at = self.stretch, self.coordinates
+        inner = map(self.frame_at, knots[1:-1])
+        return [at.local(stretch.start, stretch.bend), *inner, at.local(stretch.end, stretch.bend)]
+
+    def _conics(self, knots: Floats) -> tuple[Floats, Floats]:
+        """Rows of the conics through an inner point each, and how far the curve is from them."""
+        noise = self.coordinates.noise
+        space, frames = scan.workspace(), self._frames(knots)
+        rows = np.empty((len(knots) - 1, greedy.COLUMNS))
+        for row, a, b, start, end in zip(rows, knots, knots[1:], frames, frames[1:]):
+            pencil = bitangent.pencil(start, end, noise)
+            q = bitangent.through(bitangent.view(pencil, self.source, a + INSIDE * (b - a)))
+            off = scan.measure(pencil, q, self.source, a, b, scan.GRID, space)
+            greedy.record(self.fit.code, row, a, b, q, off, 0, start, end, noise)
+        return rows, rows[:, greedy.ERROR]
+
+    def _circles(self, knots: Floats) -> tuple[Floats, Floats]:
+        """Rows of biarcs with both arcs on the circle, and how far the curve is from it."""
+        bend = self._constant("curvature") * self.stretch.bend / self.coordinates.scale
+        edges, lengths, _ = self._lengths
+        at_knots = np.interp(knots, edges, lengths)
+        middles = np.interp((at_knots[:-1] + at_knots[1:]) / 2, lengths, edges)
+        frames, junctions = np.array(self._frames(knots)), np.array([self.frame_at(t) for t in middles])
+        rows = np.zeros((len(knots) - 1, greedy.COLUMNS))
+        rows[:, 0], rows[:, 1], rows[:, 2] = knots[:-1], knots[1:], 0.5
+        rows[:, 5:9], rows[:, 9:11] = frames[:-1], frames[1:, :2]
+        rows[:, 11:13], rows[:, 13:15] = junctions[:, :2], bend
+        parts = np.linspace(0.0, 1.0, scan.GRID)
+        times = knots[:-1, None] + np.diff(knots)[:, None] * parts
+        points = np.array([self.frame_at(t)[:2] for t in times.ravel()]).reshape(*times.shape, 2)
+        (x, y), (tx, ty) = (
+            np.moveaxis(points - frames[:-1, None, :2], -1, 0),
+            frames[:-1, 2:, None].swapaxes(0, 1),
+        )
+        twice = 2 * (tx * y - ty * x) - bend * (x * x + y * y)
+        distance = np.abs(twice / (1 + np.sqrt(np.maximum(0.0, 1 - bend * twice))))
+        rows[:, greedy.ERROR] = distance.max(axis=1)
+        return rows, rows[:, greedy.ERROR]
+
+
+def _parts(turns: float) -> int:
+    """How many parts take less than 1 each; exactly 1 is too much."""
+    return math.floor(turns + 1e-9) + 1
+
+
+def _sampled(coordinates: Coordinates, times: Floats) -> Floats:
+    jets = np.empty((len(times), JET_SIZE))
+    sample_many(coordinates.curve.compiled.address, np.ascontiguousarray(times), jets)
+    return jets
+
+
+def _pair(row: np.ndarray[Any, Any]) -> tuple[float, float]:
+    return float(row[0]), float(row[1])

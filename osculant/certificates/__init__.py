@@ -1,0 +1,1 @@
+"""Errors enclosed in ball arithmetic."""

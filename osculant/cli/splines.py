@@ -1,0 +1,243 @@
+"""What the commands print: small tables for people, JSON for programs, a bar for those who wait."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Sequence
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from rich.progress import Progress
+
+    from osculant.approximation.prediction import Complexity
+    from osculant.curves.curve import FormulaCurve
+    from osculant.spline_facts import SplineFacts
+
+#: seconds before a progress bar appears
+PATIENCE = 1.0
+#: columns of an output that is no terminal
+ENDLESS = 200
+#: split points that are listed
+LISTED = 8
+#: of a spline without the splits that theory wants
+UNSPLIT = "never where only theory wants it: errors are measured, but nothing proves the number minimal"
+
+
+class Waiting:
+    """A progress bar on stderr, shown only on a terminal and after `PATIENCE` seconds.
+
+    Call it with the part that is done, 0…1; use it as a context manager, so that it goes away.
+
+    >>> with Waiting("counting") as progress:
+    ...     progress(0.5)
+    """
+
+    def __init__(self, what: str) -> None:
+        self.what, self.began = what, perf_counter()
+        self.bar: Progress | None = None
+
+    def __enter__(self) -> Waiting:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self.bar is not None:
+            self.bar.stop()
+
+    def __call__(self, part: float) -> None:
+        """Show the part that is done."""
+        if self.bar is None:
+            if not sys.stderr.isatty() or perf_counter() - self.began < PATIENCE:
+                return
+            from rich.console import Console
+            from rich.progress import Progress
+
+            self.bar = Progress(console=Console(stderr=True), transient=True)
+            self.bar.add_task(self.what, total=1.0)
+            self.bar.start()
+        self.bar.update(self.bar.task_ids[0], completed=part)
+
+
+def print_json(data: Any) -> None:
+    """Print plain data as JSON."""
+    print(json.dumps(data, indent=1, allow_nan=False))
+
+
+def printable(text: str) -> str:
+    r"""Text fit for any output: what is no valid Unicode (in a file's name) as an escape.
+
+    >>> printable("a\udcff.svg")
+    'a\\udcff.svg'
+    """
+    return text.encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def print_spline(spline: SplineFacts, seconds: float, files: Sequence[str]) -> None:
+    """Print what was made, how good it is and whether it is the best, one fact a line."""
+    rows = [
+        ("curve", spline.curve.text),
+        ("interval", f"{spline.knots[0]:.10g} to {spline.knots[-1]:.10g}"),
+        *_choice(spline),
+        *_size(spline),
+        *_error(spline),
+        ("minimal", _minimal(spline)),
+        *_closing(spline),
+        ("split points", _listed(spline.splits)),
+        *([("split", UNSPLIT)] if spline.split == "never" and spline.minimal == "unknown" else []),
+        *([("undecided", _listed(spline.undecided))] if spline.undecided else []),
+        ("time", f"{seconds:.3g} s"),
+        *(("written", printable(file)) for file in files),
+    ]
+    print_rows(rows)
+
+
+def _choice(spline: SplineFacts) -> list[tuple[str, str]]:
+    """The primitive, and what else was chosen if it is not the usual; of bihelices the rule in any case."""
+    from osculant.primitives.table import METRICS, PRIMITIVES, first_rule
+
+    rows = [("primitive", spline.primitive)]
+    if spline.choice is not None:
+        best = (
+            "it takes the fewest numbers to store" if len(spline.choice) > 1 else "there is no other in space"
+        )
+        rows = [("primitive", f"{spline.primitive}, the best: {best}")]
+        rows += [(f"  {name}", text) for name, _, text in (other.partition(": ") for other in spline.choice)]
+    if spline.metric != METRICS[0]:
+        rows.append(("metric", spline.metric))
+    usual = first_rule(spline.primitive, spline.metric) if spline.primitive in PRIMITIVES else None
+    if spline.rule not in (None, usual):
+        rows.append(("rule", str(spline.rule)))
+    return rows
+
+
+def _minimal(spline: SplineFacts) -> str:
+    """Whether the number of pieces is the least, or what else is, and among which splines."""
+    if spline.minimal == "unknown":
+        return spline.minimal
+    if spline.given == "pieces":
+        return f"{spline.minimal} (the largest error of a piece)"
+    shares = spline.metric == "area" and spline.splits and spline.minimal != "proved"
+    return f"{spline.minimal}{' (with at most tolerance/pieces each)' if shares else ''}"
+
+
+def _size(spline: SplineFacts) -> list[tuple[str, str]]:
+    """The number of pieces and the tolerance, of which one was given, and what theory says of the other."""
+    unknown = "unknown: the integral of the theory did not settle"
+    if spline.given == "pieces":
+        error = spline.predicted_error
+        theory = unknown if error is None else f"{error:.6g}"
+        return [("pieces", f"{len(spline)} (given)"), ("predicted error", theory)]
+    theory = unknown
+    if spline.predicted is not None:
+        theory = f"{spline.predicted:.6g}, in whole pieces {spline.predicted_pieces}"
+    return [
+        ("pieces", str(len(spline))),
+        ("predicted", theory),
+        ("tolerance", f"{spline.tolerance:g}"),
+    ]
+
+
+def _error(spline: SplineFacts) -> list[tuple[str, str]]:
+    """The error, of areas that of the largest piece too, and what was proved of it."""
+    kind = "" if spline.error_kind == "exact" else f" ({spline.error_kind})"
+    if spline.metric == "area":
+        kind = f", the sum of the pieces' areas{kind}"
+    proof = spline.certificate
+    if proof is None:
+        rows = [("error", f"{spline.error:.7g}{kind}")]
+    elif math.isinf(proof.upper):
+        rows = [
+            ("error", f"{spline.error:.7g}{kind}"),
+            ("certified", f"at least {_rounded(proof.lower, ROUND_FLOOR)}; no upper bound was proved"),
+        ]
+    else:
+        verdict = "within the tolerance" if proof.within else "not proved to be within the tolerance"
+        if spline.given == "pieces":
+            verdict = "proved"
+        rows = [
+            ("error", f"{_rounded(proof.upper, ROUND_CEILING)}{kind}"),
+            (
+                "certified",
+                f"at least {_rounded(proof.lower, ROUND_FLOOR)}, "
+                f"at most {_rounded(proof.upper, ROUND_CEILING)}: {verdict}",
+            ),
+        ]
+    if spline.metric == "area":
+        rows.append(("largest piece", f"{max(spline.errors):.7g}"))
+    return rows
+
+
+def _rounded(bound: float, direction: str) -> str:
+    """A bound to ten digits that is still one.
+
+    >>> _rounded(1 / 3, ROUND_CEILING), _rounded(1 / 3, ROUND_FLOOR)
+    ('0.3333333334', '0.3333333333')
+    """
+    return f"{float(Context(prec=10, rounding=direction).create_decimal(bound)):.10g}"
+
+
+def _closing(spline: SplineFacts) -> list[tuple[str, str]]:
+    """Whether the ends are joined and, where any start would do, how good this one is."""
+    if not spline.closed:
+        return []
+    rows = [("closed", "yes")]
+    if spline.gap is not None:
+        best = "no other start has a smaller error"
+        if spline.gap > 0:
+            best = f"from another start the error may be smaller, by at most {spline.gap:.2g} of it"
+        rows.append(("start", f"t = {spline.knots[0]:.10g}: {best}"))
+    return rows
+
+
+def _listed(values: Sequence[float]) -> str:
+    shown = ", ".join(f"{value:.10g}" for value in values[:LISTED])
+    more = f" and {len(values) - LISTED} more" if len(values) > LISTED else ""
+    return shown + more if values else "none"
+
+
+def print_complexity(
+    curve: FormulaCurve, law: Complexity, tolerance: float | None, pieces: int | None
+) -> None:
+    """Print the law with its constant, the pieces predicted for a tolerance, and the error for a number."""
+    constants = law.to_json()
+    rows = [
+        ("curve", curve.text),
+        ("primitive", law.primitive),
+        *([("metric", law.metric)] if law.metric != "hausdorff" else []),
+        ("pieces", f"C*tolerance^(-1/{law.order})"),
+        ("C", constants["constant"]),
+    ]
+    if len(law.constants) > 1:
+        power = f"^({law.order}/{law.order + 1})" if law.metric == "area" else ""
+        terms = " + ".join(f"C{place}{power}" for place in (1, 2))
+        more = " + ..." if len(law.constants) > 2 else ""
+        rows.append(("stretches", f"{len(law.constants)} between split points: C{power} = {terms}{more}"))
+        rows += [(f"  C{place}", value) for place, value in enumerate(law.constants, 1)]
+    if law.next_constant is not None:
+        rows += [("next term", f"c1*tolerance^(1/{law.order})"), ("c1", f"{law.next_constant:.12g}")]
+    if tolerance is not None:
+        rows += [
+            ("tolerance", f"{tolerance:g}"),
+            ("predicted", f"{law.predicted(tolerance):.10g}"),
+            *([("both terms", f"{law.refined(tolerance):.10g}")] if law.next_constant is not None else []),
+            ("whole pieces", str(law.predicted_pieces(tolerance))),
+        ]
+    if pieces is not None:
+        rows += [
+            ("given pieces", str(pieces)),
+            ("predicted error", f"{law.predicted_error(pieces):.10g}"),
+        ]
+    print_rows(rows)
+
+
+def print_rows(rows: Sequence[tuple[str, str]]) -> None:
+    """Print names and texts in two columns."""
+    width = max(len(name) for name, _ in rows)
+    print("\n".join(f"{name:<{width}}  {text}" for name, text in rows))

@@ -1,0 +1,1 @@
+"""Curves given by formulas, in the plane and in space."""

@@ -1,0 +1,1 @@
+"""Files out: one file a format, and the registry that knows them all."""

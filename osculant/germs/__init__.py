@@ -1,0 +1,1 @@
+"""Map-germs at the front door."""

@@ -1,0 +1,300 @@
+"""Map-germs at the front door: `germ` and its answers.
+
+Every answer is exact, or "infinite" where that is proved; UndecidedError tells the cap that was reached.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+from osculant.cas.errors import DomainError, FormulaError, UndecidedError
+from osculant.cas.formulas.expression import Node, from_sympy, variable
+from osculant.cas.formulas.parser import parse, parse_tuple
+from osculant.cas.formulas.text import to_text
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.groups import Group
+from osculant.cas.germs.groups import group as group_of
+
+if TYPE_CHECKING:
+    from osculant.cas.germs.codimension import Codimension
+    from osculant.cas.germs.determinacy import Determinacy
+    from osculant.cas.germs.local_algebra import LocalAlgebra
+    from osculant.cas.germs.unfolding import Unfolding
+
+Size = int | Literal["infinite"]
+GroupName = str | Group | None
+
+
+def germ(formulas: Any, source: Any, boundary: Any = None) -> MapGerm:
+    """A map-germ (Kⁿ,0) → (Kᵖ,0) from the formulas of its components.
+
+    Args:
+        formulas: text such as ``"x, x*y + y**3"``, a sympy or symengine expression, or a sequence of texts
+            and expressions.
+        source: the source variables in order: their names separated by blanks, or a sequence of names or
+            symbols.
+        boundary: the variable u of H = {u = 0} for the groups R(H), K(H) and A(H), which preserve H; by
+            default the variable called ``u`` if there is one.
+
+    Raises FormulaError for what is no formula, uses other variables or has no component; DomainError for a
+    germ that does not vanish at 0, is not analytic there or has coefficients that are not rational, and for a
+    boundary that is no source variable.
+
+    >>> germ("x1, x2, x3**2 + x1*u + x2*u**2 + u**3", "x1 x2 x3 u").codimension("A(H)")
+    3
+    >>> from sympy.abc import x, y
+    >>> germ([x, y**2, 0], [x, y]).codimension("A")
+    'infinite'
+    """
+    names = _names(source)
+    return MapGerm(Germ(_components(formulas, names), names, None if boundary is None else str(boundary)))
+
+
+def _names(source: Any) -> tuple[str, ...]:
+    names = tuple(map(str, _parts(source.replace(",", " ").split() if isinstance(source, str) else source)))
+    return tuple(variable(name).value for name in names)  # refuses what cannot be a name
+
+
+def _components(formulas: Any, names: Sequence[str]) -> tuple[Node, ...]:
+    if isinstance(formulas, str):
+        return parse_tuple(formulas, names)
+    parts = _parts(formulas)
+    if not parts:
+        raise FormulaError("The germ has no component: give at least one formula, such as x**2.")
+    return tuple(parse(part, names) if isinstance(part, str) else from_sympy(part) for part in parts)
+
+
+def _parts(given: Any) -> list[Any]:
+    try:
+        return list(given)
+    except TypeError:  # one expression
+        return [given]
+
+
+@dataclass(frozen=True)
+class GermUnfolding:
+    """An unfolding (t, f + Σ tᵢφᵢ): the ``terms`` φᵢ as text, and the ``germ`` as a whole."""
+
+    terms: tuple[str, ...]
+    germ: MapGerm
+
+
+class MapGerm:
+    """A map-germ; `germ` makes it.
+
+    Groups are named "R", "L", "C", "K", "A", "R(H)", "K(H)", "A(H)", or are `Group` objects. Where none is
+    named, the group is A, or R for a function (p = 1), with (H) if there is a boundary variable. An (H) group
+    without one is a DomainError; where the caps are reached, UndecidedError is raised.
+
+    Attributes:
+        exact: the germ as the exact room `osculant.cas.germs` has it.
+        source: the names of the source variables.
+        target: the target dimension p.
+        boundary: the variable u of H = {u = 0}, or None.
+        components: the formulas of the components.
+        rank: the rank of df at 0.
+
+    >>> cusp = germ("x, x*y + y^3", "x y")
+    >>> cusp.source, cusp.target, cusp.rank, cusp.components
+    (('x', 'y'), 2, 1, ('x', 'x*y + y**3'))
+    """
+
+    def __init__(self, exact: Germ) -> None:
+        self.exact = exact
+        self.source, self.target, self.boundary = exact.source, exact.p, exact.boundary
+        self.components = tuple(to_text(node) for node in exact.components)
+        self.rank = exact.rank
+        self._codimensions: dict[tuple[Group, bool], Codimension] = {}
+
+    def group(self, name: GroupName = None) -> Group:
+        """The group of that name, or the one that is meant where none is named; DomainError if unknown.
+
+        >>> germ("x**2 + u", "x u").group().name
+        'R(H)'
+        """
+        if name is None:
+            name = ("R" if self.target == 1 else "A") + ("" if self.boundary is None else "(H)")
+        return group_of(name)
+
+    def codimension(self, group: GroupName = None, *, extended: bool = False) -> Size:
+        """The codimension of T G f in Mθ, or with ``extended`` that of T G_e f in θ.
+
+        >>> whitney = germ("x, y**2, x*y", "x y")
+        >>> whitney.codimension("A"), whitney.codimension("A", extended=True)
+        (2, 0)
+        """
+        return self.proved_codimension(group, extended=extended).value
+
+    def determinacy(self, group: GroupName = None) -> Determinacy:
+        """The degree of determinacy that is proved, with its proof, and whether it is known to be sharp.
+
+        >>> germ("x, y**2, y**3 + x**2*y", "x y").determinacy("A").degree
+        3
+        """
+        from osculant.cas.germs.determinacy import determinacy
+
+        return determinacy(self.exact, self.group(group))
+
+    def is_stable(self, group: GroupName = None) -> bool:
+        """Whether the germ is stable for A or A(H); DomainError for other groups.
+
+        >>> germ("x, x*y + y**3", "x y").is_stable("A")
+        True
+        """
+        from osculant.cas.germs.unfolding import is_stable
+
+        return is_stable(self.exact, self.group(group))
+
+    def unfolding(self, group: GroupName = None, parameter: str = "t") -> GermUnfolding:
+        """A miniversal unfolding, with parameters t1, t2, …; DomainError for infinite codimension.
+
+        >>> germ("x, y**2, y**3 + x**2*y", "x y").unfolding("A").terms
+        ('(0, 0, y)',)
+        """
+        from osculant.cas.germs.unfolding import unfolding
+
+        return self._unfolded(unfolding(self.exact, self.group(group), parameter))
+
+    def stable_unfolding(self, group: GroupName = None, parameter: str = "t") -> GermUnfolding:
+        """The least stable unfolding of the germ, taken as a genotype; DomainError if it is not K-finite.
+
+        >>> germ("x**4", "x").stable_unfolding("A").germ.components
+        ('t1', 't2', 'x**4 + t1*x + t2*x**2')
+        """
+        from osculant.cas.germs.unfolding import stable_unfolding
+
+        return self._unfolded(stable_unfolding(self.exact, self.group(group), parameter))
+
+    def transversal(
+        self, k: int, group: GroupName = None, order: str | Sequence[str] = ()
+    ) -> tuple[str, ...]:
+        """A complete (k + 1)-transversal over the k-jet, k ≥ 1: its terms as text.
+
+        With ``order``, names of source variables and target coordinates y1, y2, … with the lightest first,
+        nilpotent linear fields are used that may make it smaller.  UndecidedError beyond the caps on jets.
+
+        >>> e7 = germ("x**3 + x*y**3", "x y")
+        >>> e7.transversal(4, "K"), e7.transversal(4, "K", order="y x")
+        (('y**5',), ())
+        """
+        from osculant.cas.germs.codimension import last_order
+        from osculant.cas.germs.transversal import transversal
+
+        if k >= (last := last_order(self.exact)):
+            raise UndecidedError(f"A transversal over a {k}-jet is out of reach: choose k < {last}.")
+        return tuple(map(self.term, transversal(self.exact, k, self.group(group), order)))
+
+    @property
+    def milnor(self) -> Size:
+        """The Milnor number dim O/(∂f/∂x₁, …, ∂f/∂xₙ) of a function; DomainError for p > 1.
+
+        >>> germ("x**3 + y**4", "x y").milnor
+        6
+        """
+        if (p := self.target) != 1:
+            raise DomainError(f"The Milnor number is that of a function; this germ has {p} components.")
+        return self.codimension("R", extended=True)  # T R_e f is the ideal
+
+    @property
+    def tjurina(self) -> Size:
+        """dim θ/T K_e f: the Tjurina number dim O/(f, ∂f) of a function.
+
+        >>> germ("x**4 + y**5 + x**2*y**3", "x y").tjurina
+        11
+        """
+        return self.codimension("K", extended=True)
+
+    @property
+    def multiplicity(self) -> Size:
+        """The dimension of the Q-algebra.
+
+        >>> germ("x**2, y**3", "x y").multiplicity
+        6
+        """
+        found = self.q_algebra
+        return found if found == "infinite" else found.dimension
+
+    @property
+    def q_algebra(self) -> LocalAlgebra | Literal["infinite"]:
+        """Q(f) = O/(f₁, …, fₚ): its dimension and Hilbert function.
+
+        >>> germ("x**2, y**2, x*y", "x y").q_algebra.hilbert
+        (1, 2)
+        """
+        from osculant.cas.germs.infinite import degenerate_curve
+        from osculant.cas.germs.local_algebra import q_algebra
+
+        # Fewer functions than variables have a curve of common zeros; T C_e f = Iθ is not finite along one.
+        if self.target < self.exact.n or degenerate_curve(self.exact, self.group("C")) is not None:
+            return "infinite"
+        return q_algebra(self.exact)
+
+    @property
+    def ramification(self) -> LocalAlgebra | Literal["infinite"]:
+        """O/R with R the ideal of the largest minors of df: where f is no immersion or no submersion.
+
+        >>> germ("x, y**2, x*y", "x y").ramification.dimension, germ("x, y**2", "x y").ramification
+        (1, 'infinite')
+        """
+        from osculant.cas.germs.local_algebra import LocalAlgebra, ramification
+
+        n, p = self.exact.n, self.target
+        if self.rank == min(n, p):
+            return LocalAlgebra(0, ())
+        # Unless it is everything, an ideal of largest minors has height |n − p| + 1 at most.
+        return "infinite" if n > abs(n - p) + 1 else ramification(self.exact)
+
+    def certificate(self, group: GroupName = None) -> dict[str, Any]:
+        """What an independent checker needs, as plain data: see `osculant.germs.report`.
+
+        >>> found = germ("x**3", "x").certificate("R")["extended_codimension"]
+        >>> found["order"], found["depth"], found["functionals"]
+        (2, 1, [{'1': '1'}, {'x': '1'}])
+        """
+        return dict(self.report(group)["certificate"])
+
+    def report(
+        self, group: GroupName = None, progress: Callable[[float], None] | None = None
+    ) -> dict[str, Any]:
+        """All answers as plain data, None with a reason where there is none: see `osculant.germs.report`.
+
+        >>> found = germ("x, x*y + y**3", "x y").report("A")
+        >>> found["codimension"], found["determinacy"], found["stable"], found["unfolding"]
+        (2, 3, True, [])
+        """
+        from osculant.germs.report import report
+
+        return report(self, self.group(group), progress)
+
+    def proved_codimension(self, group: GroupName = None, *, extended: bool = False) -> Codimension:
+        """The codimension with its proof, as `osculant.cas.germs.codimension` has it; computed once."""
+        from osculant.cas.germs.codimension import codimension
+
+        known, g = self._codimensions, self.group(group)
+        if (g, not extended) in known and not known[g, not extended].finite:
+            return known[g, not extended]  # both are infinite, or neither
+        if (g, extended) not in known:
+            known[g, extended] = codimension(self.exact, g, extended)
+        return known[g, extended]
+
+    def term(self, term: tuple[int, int]) -> str:
+        """A term (monomial, component) of the exact room as text.
+
+        >>> germ("x, y**2", "x y").term((poly.monomial((2, 1)), 1))
+        '(0, x**2*y)'
+        """
+        packed, component = term
+        powers = zip(self.source, poly.exponents_of(packed, self.exact.n))
+        text = "*".join(name if e == 1 else f"{name}**{e}" for name, e in powers if e) or "1"
+        if self.target == 1:
+            return text
+        return f"({', '.join(text if j == component else '0' for j in range(self.target))})"
+
+    def _unfolded(self, found: Unfolding) -> GermUnfolding:
+        return GermUnfolding(tuple(map(self.term, found.terms)), MapGerm(found.germ))
+
+    def __repr__(self) -> str:
+        return f"<MapGerm {', '.join(self.components)} in {' '.join(self.source)}>"

@@ -1,0 +1,157 @@
+"""All that is computed of a map-germ, as plain data: what the command ``osculant germ`` prints.
+
+Keys: ``source`` (names), ``target`` (p), ``components``, ``boundary`` (a name or null), ``group``, ``rank``;
+``codimension``, ``extended_codimension`` and ``determinacy``: a number or "infinite"; ``sharp``: true if one
+degree less is refuted, null if that is not known, and ``sharpness``: why; ``stable``; ``unfolding``: the
+terms of a miniversal one; ``tjurina``, ``multiplicity``, ``ramification``: dimensions, or "infinite";
+``hilbert``: the Hilbert function of the Q-algebra; for a function also ``milnor``.
+What is undecided or has no meaning for the germ is null, and ``reason`` has a sentence under the same key.
+
+``certificate`` has under "codimension", "extended_codimension" and "determinacy" what an independent checker
+needs, null where there is no answer. A finite codimension has the functionals that vanish on the tangent
+space in the jets of an order, each by its values on the terms where it is not 0; infinity has a curve of bad
+points; a degree of determinacy has the bound l with M^lθ ⊂ T K_e f, the order of jets k + l, and the
+nilpotent linear fields added to G₁.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from osculant.cas.errors import DomainError, UndecidedError
+
+if TYPE_CHECKING:
+    from osculant.cas.germs.codimension import Codimension
+    from osculant.cas.germs.groups import Group
+    from osculant.germs.map_germ import MapGerm
+
+
+def report(germ: MapGerm, group: Group, progress: Callable[[float], None] | None = None) -> dict[str, Any]:
+    """All answers about a germ (module text). If its codimension is undecided, only stability is asked too.
+
+    ``progress`` is called now and then with the part that is done, 0…1.
+    Raises DomainError for an (H) group without a boundary variable.
+
+    >>> from osculant.germs.map_germ import germ
+    >>> g = germ("x, y**2", "x y")
+    >>> found = report(g, g.group("A"))
+    >>> found["codimension"], found["tjurina"], found["hilbert"], found["reason"]
+    (1, 1, [1, 1], {})
+    """
+    group.generators(germ.exact)
+    told = {
+        "source": list(germ.source),
+        "target": germ.target,
+        "components": list(germ.components),
+        "boundary": germ.boundary,
+        "group": group.name,
+        "rank": germ.rank,
+    }
+    return told | _Questions(germ, group).answers(progress or (lambda part: None))
+
+
+def codimension_certificate(germ: MapGerm, found: Codimension) -> dict[str, Any]:
+    """The certificate of a codimension, with terms as text.
+
+    >>> from osculant.germs.map_germ import germ
+    >>> g = germ("x, y**2, 0", "x y")
+    >>> codimension_certificate(g, g.proved_codimension("A"))
+    {'kind': 'curve', 'curve': '(t, 0)'}
+    """
+    certificate = found.certificate()
+    if found.tangent is not None:
+        space = found.tangent.space
+        certificate["functionals"] = [
+            {germ.term(space.term(c)): str(value) for c, value in sorted(functional.items())}
+            for functional in found.tangent.annihilator.functionals
+        ]
+    return certificate
+
+
+class _Questions:
+    """The questions about one germ, in order; each answers the keys after its name."""
+
+    ORDER = (
+        ("codimension", ("codimension",)),
+        ("extended", ("extended_codimension",)),
+        ("determinacy", ("determinacy", "sharp", "sharpness")),
+        ("stable", ("stable",)),
+        ("unfolding", ("unfolding",)),
+        ("tjurina", ("tjurina",)),
+        ("q_algebra", ("multiplicity", "hilbert")),
+        ("ramification", ("ramification",)),
+        ("milnor", ("milnor",)),
+    )
+
+    #: questions that would only reach the caps that the codimension has reached
+    CAPPED = frozenset({"extended", "determinacy", "unfolding"})
+
+    def __init__(self, germ: MapGerm, group: Group) -> None:
+        self.germ, self.group = germ, group
+        self.certificates: dict[str, Any] = dict.fromkeys(
+            ("codimension", "extended_codimension", "determinacy")
+        )
+        self.reasons: dict[str, str] = {}
+
+    def answers(self, progress: Callable[[float], None]) -> dict[str, Any]:
+        data: dict[str, Any] = {}
+        for number, (question, keys) in enumerate(self.ORDER):
+            progress(number / len(self.ORDER))
+            if question == "milnor" and self.germ.target > 1:
+                continue
+            try:
+                if question in self.CAPPED and "codimension" in self.reasons:
+                    raise UndecidedError(self.reasons["codimension"])
+                data |= dict(zip(keys, getattr(self, question)()))
+            except (DomainError, UndecidedError) as error:
+                data |= dict.fromkeys(keys)
+                self.reasons |= dict.fromkeys(keys, str(error))
+        return data | {"certificate": self.certificates, "reason": self.reasons}
+
+    def found(self, extended: bool = False) -> Codimension:
+        return self.germ.proved_codimension(self.group, extended=extended)
+
+    def codimension(self) -> tuple[Any]:
+        self.certificates["codimension"] = codimension_certificate(self.germ, self.found())
+        return (self.found().value,)
+
+    def extended(self) -> tuple[Any]:
+        self.certificates["extended_codimension"] = codimension_certificate(self.germ, self.found(True))
+        return (self.found(True).value,)
+
+    def determinacy(self) -> tuple[Any, bool | None, str]:
+        if not self.found().finite:  # then no degree is enough
+            self.certificates["determinacy"] = self.certificates["codimension"]
+            return "infinite", None, f"not finitely determined: bad along {self.found().curve}"
+        found = self.germ.determinacy(self.group)
+        self.certificates["determinacy"] = found.certificate()
+        return found.degree, found.sharp, found.reason
+
+    def stable(self) -> tuple[bool]:
+        return (self.germ.is_stable(self.group),)
+
+    def unfolding(self) -> tuple[list[str]]:
+        if not self.found().finite:
+            raise DomainError("A germ of infinite codimension has no versal unfolding.")
+        return (list(self.germ.unfolding(self.group).terms),)
+
+    def tjurina(self) -> tuple[Any]:
+        return (self.germ.tjurina,)
+
+    def q_algebra(self) -> tuple[Any, list[int] | None]:
+        found = self.germ.q_algebra
+        if found == "infinite":
+            self.reasons["hilbert"] = "The Q-algebra is infinite."
+            return found, None
+        return found.dimension, list(found.hilbert)
+
+    def ramification(self) -> tuple[Any]:
+        n, p = len(self.germ.source), self.germ.target
+        if not self.found().finite and n <= abs(n - p) + 1:  # it might reach its caps, after a long time
+            raise UndecidedError("It is not computed for a germ of infinite codimension.")
+        found = self.germ.ramification
+        return (found if found == "infinite" else found.dimension,)
+
+    def milnor(self) -> tuple[Any]:
+        return (self.germ.milnor,)

@@ -1,0 +1,1 @@
+"""What splines are made of, in the coordinates of the user."""

@@ -1,0 +1,1 @@
+"""The kinds of pieces that curves are approximated with: the table, and one file each."""

@@ -1,0 +1,113 @@
+"""What splines can be made of: everything that the front door knows about a primitive, one entry each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from osculant.cas.errors import DomainError
+from osculant.kernels import primitives as codes
+
+
+@dataclass(frozen=True)
+class Fit:
+    """How the pieces are chosen from those tangent to the curve at both ends, and what their error is.
+
+    Attributes:
+        code: its number in the kernels.
+        order: the error of one short arc is of this order in its length.
+        dimension: 1 if the error is a length, 2 if it is an area.
+    """
+
+    code: int
+    order: int
+    dimension: int = 1
+
+
+@dataclass(frozen=True)
+class Primitive:
+    """A kind of pieces.
+
+    Attributes:
+        fits: by metric and rule; the first rule is the default.
+        splits: the special points (`cas.zeros.plane.FORMS`) that split besides cusps and inflections.
+        exact: the property of `osculant.cas.invariants.plane.ExactInvariants` that proves a curve to be one.
+        turning: such a curve is cut into pieces that turn by less than this.
+    """
+
+    fits: Mapping[str, Mapping[str, Fit]]
+    splits: str
+    exact: str
+    turning: float
+
+
+PRIMITIVES = {
+    "parabola": Primitive(
+        {
+            "hausdorff": {"bitangent": Fit(codes.PARABOLA, 4)},
+            "area": {"bitangent": Fit(codes.AREA_PARABOLA, 5, 2)},
+        },
+        "parabolic",
+        "parabola",
+        math.pi,
+    ),
+    "conic": Primitive(
+        {
+            "hausdorff": {"equioscillating": Fit(codes.CONIC, 5)},
+            "area": {
+                "equisymmetric": Fit(codes.EQUISYMMETRIC, 6, 2),
+                "minimal-area": Fit(codes.LEAST_AREA, 6, 2),
+            },
+        },
+        "sextactic",
+        "conic",
+        math.pi,
+    ),
+    "biarc": Primitive(
+        {
+            "hausdorff": {"equioscillating": Fit(codes.BIARC, 3)},
+            "area": {"equisymmetric": Fit(codes.EQUISYMMETRIC_BIARC, 4, 2)},
+        },
+        "vertex",
+        "circle",
+        2 * math.pi,
+    ),
+}
+
+#: the metrics, the default first
+METRICS = ("hausdorff", "area")
+
+
+def choose(primitive: str, metric: str, rule: str | None = None) -> Fit:
+    """The fit for a primitive of the plane, a metric and a rule; the first rule if None.
+
+    Raises DomainError for a name that is unknown, saying which there are.
+
+    >>> choose("conic", "area") == choose("conic", "area", "equisymmetric")
+    True
+    """
+    if primitive not in PRIMITIVES:
+        raise DomainError(
+            f"The primitive {primitive!r} is unknown: choose one of {', '.join(PRIMITIVES)} "
+            "(or best, to approximate)."
+        )
+    if metric not in METRICS:
+        raise DomainError(f"The metric {metric!r} is unknown: choose one of {', '.join(METRICS)}.")
+    rules = PRIMITIVES[primitive].fits[metric]
+    rule = first_rule(primitive, metric) if rule is None else rule
+    if rule not in rules:
+        raise DomainError(
+            f"The rule {rule!r} is unknown for {primitive} and the metric {metric}: "
+            f"choose {' or '.join(rules)}, or leave it out."
+        )
+    return rules[rule]
+
+
+def first_rule(primitive: str, metric: str) -> str:
+    """The rule of a primitive if none is asked for.
+
+    >>> first_rule("conic", "area")
+    'equisymmetric'
+    """
+    return next(iter(PRIMITIVES[primitive].fits[metric]))

@@ -1,0 +1,1 @@
+"""The thesis checked: its claims, its errata, its tables."""
