@@ -20,9 +20,10 @@ from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.expression import Node
 from osculant.cas.geometry.bihelices import Bihelix, End, Line, bihelix_through, junction_line
 from osculant.cas.geometry.short_helices import ShortHelix
-from osculant.cas.jets.space import SpaceJet, Vector3, add, cross, dot, scale, subtract
+from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.fields import Multiprecision
 from osculant.cas.numbers.taylor import program
+from osculant.cas.numbers.vectors import Vector3, add, cross, dot, scale, subtract
 
 #: points of each side at which a peak is looked for, and steps of any iteration
 SAMPLES, STEPS = 10, 60

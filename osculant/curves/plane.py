@@ -55,8 +55,7 @@ class PlaneCurve(FormulaCurve):
         """The invariants as simplified expressions."""
         from osculant.cas.invariants.plane import ExactInvariants
 
-        x, y = self.coordinates
-        return ExactInvariants(x, y, "t", *(self._ends or ()))
+        return ExactInvariants(*self.coordinates, ends=self._ends)
 
     def invariants(self) -> dict[str, Any]:
         """All exact invariants by name: sympy expressions, pairs of them for vectors, None if undefined."""

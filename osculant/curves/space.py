@@ -61,8 +61,7 @@ class SpaceCurve(FormulaCurve):
         """The invariants as simplified expressions."""
         from osculant.cas.invariants.space import SpaceExactInvariants
 
-        x, y, z = self.coordinates
-        return SpaceExactInvariants(x, y, z, "t", *(self._ends or ()))
+        return SpaceExactInvariants(*self.coordinates, ends=self._ends)
 
     def invariants(self) -> dict[str, Any]:
         """All exact invariants by name: sympy expressions, tuples for vectors, None if undefined."""
@@ -78,7 +77,7 @@ class SpaceCurve(FormulaCurve):
         return self.exact["tangent"], self.exact["normal"], self.exact["binormal"]
 
     def __getattr__(self, name: str) -> Any:
-        from osculant.cas.invariants.space import SPACE_INVARIANTS
+        from osculant.cas.jets.space import SPACE_INVARIANTS
 
         if name in {*(invariant.name for invariant in SPACE_INVARIANTS), "arc_length"}:
             return self.exact[name]
@@ -116,7 +115,8 @@ class SpaceCurve(FormulaCurve):
         >>> SpaceCurve("t, t^2, t^3").at("0", 5)["torsion"]
         mpf('3.0')
         """
-        from osculant.cas.invariants.space import ORDER, SPACE_INVARIANTS
+        from osculant.cas.invariants.space import ORDER
+        from osculant.cas.jets.space import SPACE_INVARIANTS
         from osculant.curves.values import invariants_to_digits
 
         return invariants_to_digits(self.balls, as_constant(t, "--at"), digits, SPACE_INVARIANTS, ORDER)

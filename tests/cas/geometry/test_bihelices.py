@@ -26,7 +26,7 @@ from osculant.cas.geometry.bihelix_rules import (
     shifted_bihelix,
     thesis_bihelix,
 )
-from osculant.cas.jets.space import add, cross, dot, scale, subtract
+from osculant.cas.numbers.vectors import add, cross, dot, scale, subtract
 
 fractions = st.fractions(min_value=-3, max_value=3, max_denominator=12)
 
