@@ -14,7 +14,8 @@ from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.examples import SPIRAL
 from osculant.cas.claims.proof import integers, read, split, vanishes
 from osculant.cas.errors import DomainError
-from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve, root_between
+from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
+from osculant.cas.numbers.roots import root_between
 
 #: the lines l₀, l₁, l₂ at a point of the curve and their derivatives along its normal
 L0, L1, L2, N0, N1, N2 = sp.symbols("l0 l1 l2 n0 n1 n2", real=True)
