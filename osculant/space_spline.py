@@ -69,7 +69,7 @@ class SpaceSpline(SplineFacts):
     metric: str
     tolerance: float
     pieces: tuple[SpacePiece, ...]
-    minimal: Literal["proved", "unknown"]
+    minimal: Literal["proved", "by theory", "unknown"]
     undecided: tuple[float, ...] = ()
     splits: tuple[float, ...] = ()
     complexity: Callable[[], Prediction] | None = field(default=None, compare=False)

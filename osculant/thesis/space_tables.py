@@ -35,17 +35,17 @@ def space_table(number: str, progress: Callable[[float], None] | None = None) ->
         number: of the table, a key of `SPACE_TABLES`.
         progress: called after each row with the part that is done.
     """
-    from osculant.approximation.space_approximation import approximate_in_space, complexity_in_space
+    from osculant.api import approximate, complexity
     from osculant.curves.space import SpaceCurve
 
     name, *formula = SPACE_TABLES[number]
     curve = SpaceCurve(*formula)
-    law = complexity_in_space(curve)
+    law = complexity(curve)
     rows = []
     for tolerance in map(float, TOLERANCES):
         counts = {
             "thesis rule" if rule == "thesis" else "our rule": len(
-                approximate_in_space(curve, "bihelix", tolerance, rule=rule)
+                approximate(curve, "bihelix", tolerance, rule=rule)
             )
             for rule in ("thesis", "equioscillating")
         }
