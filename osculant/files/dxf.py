@@ -16,11 +16,11 @@ import io
 import math
 from typing import TYPE_CHECKING, Any, Literal
 
-from osculant import __version__
 from osculant.cas.errors import DomainError, OsculantError
 from osculant.files.motions import chords_needed
 from osculant.pieces.helices import HelixArc
 from osculant.tolerances import checked_tolerance, writing_reserve
+from osculant.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
