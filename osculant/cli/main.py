@@ -21,6 +21,7 @@ from osculant.cli.complexity import complexity
 from osculant.cli.germ import GermCommand, germ
 from osculant.cli.grammar import Commands, FormulaCommand
 from osculant.cli.invariants import invariants
+from osculant.cli.options import NAMES
 from osculant.cli.output import lenient, printable, tell
 from osculant.cli.tables import tables
 from osculant.cli.verify import verify
@@ -86,7 +87,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (KeyboardInterrupt, typer.Abort):
         return INTERRUPTED
     except OsculantError as error:
-        return _refuse(str(error), USAGE)
+        return _refuse(error.told(NAMES), USAGE)
     except OSError as error:
         _forget_output()
         return _refuse(f"Cannot write {error.filename or 'the output'}: {error.strerror or error}.", USAGE)

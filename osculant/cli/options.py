@@ -16,6 +16,14 @@ from osculant.cli.grammar import UsageError
 from osculant.cli.output import printable
 from osculant.files.writing import GCODE_SUFFIXES, OPTIONS, SUFFIXES, listed
 
+#: what the command line calls that which the library's sentences call otherwise
+NAMES = {
+    "low": "--from",
+    "high": "--to",
+    "t": "--at",
+    "split_at": "--split-at",
+    "osculant.cas.claims.all_claims()": "`osculant verify --list`",
+}
 #: units that can be written, and digits after the point that still mean something
 UNITS, MOST_DECIMALS = ("mm", "inch"), 17
 
