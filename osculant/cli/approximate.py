@@ -135,7 +135,6 @@ def approximate(
     options = writing_options(write, reserve=reserve, decimals=decimals, units=units)
 
     import osculant
-    from osculant.space_spline import SpaceSpline
 
     curve = osculant.curve(formula, low, high)
     if certify and (metric != "hausdorff" or len(curve.coordinates) == 3):
@@ -154,7 +153,7 @@ def approximate(
             split_at=split_at or (),
             progress=progress,
         )
-    if certify and not isinstance(spline, SpaceSpline):
+    if certify:
         with Waiting("certifying") as progress:
             spline.certify(progress)
     seconds = perf_counter() - began

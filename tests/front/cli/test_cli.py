@@ -22,7 +22,7 @@ from osculant.cli import splines as report
 from osculant.cli.main import main
 from osculant.cli.options import UsageError, arrange
 from osculant.files.writing import SUFFIXES, listed
-from osculant.spline import Spline
+from tests.front.samples import circle, spline_of
 
 DATA = Path(__file__).parents[1] / "data"
 GOLDEN = sorted(DATA.glob("golden-*.json"))
@@ -199,7 +199,7 @@ def test_known_suffixes_are_those_of_the_spline(tmp_path, capsys):
     assert main([*CUBIC, "--with", "biarc", "--tolerance", "1e-3", "--write", *map(str, files)]) == 0
     assert all(file.stat().st_size for file in files)
     with pytest.raises(OsculantError, match=re.escape(listed(SUFFIXES))):
-        Spline.write(None, "spline.xyz")
+        spline_of([circle(0.0, 1.0)]).write("spline.xyz")
 
 
 def test_several_files_are_written(tmp_path, capsys):
