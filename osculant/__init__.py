@@ -13,6 +13,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from osculant.version import __version__ as __version__
+
 if TYPE_CHECKING:
     from osculant.api import approximate, complexity, curve
     from osculant.approximation.prediction import Complexity
@@ -22,8 +24,6 @@ if TYPE_CHECKING:
     from osculant.germs.map_germ import MapGerm, germ
     from osculant.spline import Piece, Spline
     from osculant.thesis.verification import Verification, verify
-
-__version__ = "0.1.0"
 
 __all__ = [
     "Complexity",

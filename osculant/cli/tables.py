@@ -1,14 +1,45 @@
-"""What ``osculant tables`` prints of a table whose printed numbers are known."""
+"""The command ``osculant tables``."""
 
 from __future__ import annotations
 
-import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
-from osculant.cli.splines import ENDLESS, print_rows
+import typer
+
+from osculant.cli.options import AsJson
+from osculant.cli.output import Waiting, console, print_json, print_rows
 
 if TYPE_CHECKING:
     from osculant.thesis.tables import ComputedTable
+
+
+def tables(
+    number: Annotated[
+        str,
+        typer.Argument(
+            metavar="TABLE",
+            help="The table's number in the thesis: 3.1, 3.2, 3.3, 3.4, 4.1, 4.2, 4.3 or 5.",
+        ),
+    ],
+    as_json: AsJson = False,
+) -> None:
+    """Compute a table of the thesis beside what it prints, with a verdict for every cell.
+
+    In tables 3.2 and 3.4 errors are areas; 3.4 is computed twice, the tolerance being that of each half, as
+    in the thesis, or of the whole curve. The numbers of tables 4.1 to 4.3 and of chapter 5 are lost: counts
+    beside theory.
+    """
+    from osculant.thesis.count_tables import CountTable
+    from osculant.thesis.tables import compute
+
+    with Waiting(f"computing table {number}") as progress:
+        table = compute(number, progress)
+    if as_json:
+        print_json(table.to_json())
+    elif isinstance(table, CountTable):
+        print(table.text())
+    else:
+        print_table(table)
 
 
 def print_table(table: ComputedTable) -> None:
@@ -16,14 +47,11 @@ def print_table(table: ComputedTable) -> None:
 
     Where the thesis leaves open what the tolerance is granted to there is a part for each reading.
     """
-    from rich.console import Console
     from rich.table import Table
 
     printed = table.printed
     print(f"Table {printed.number}. {printed.caption}: pieces computed and printed\n")
-    console = Console(
-        width=None if sys.stdout.isatty() else ENDLESS, markup=False, emoji=False, highlight=False
-    )
+    out = console()
     for reading in printed.readings:
         if len(printed.readings) > 1:
             by = "as the thesis reads it" if reading == printed.readings[0] else "not printed"
@@ -42,7 +70,7 @@ def print_table(table: ComputedTable) -> None:
                 row += [str(cell.computed), "" if cell.printed is None else str(cell.printed), cell.verdict]
         for row in rows.values():
             shown.add_row(*row)
-        console.print(shown)
+        out.print(shown)
         print()
     for cell in table.cells:
         if cell.note is not None:

@@ -20,12 +20,12 @@ RESOLVED = 1e-13
 DIGITS = 15
 
 
-def as_constant(value: Any, what: str) -> Node:
+def as_constant(value: Any, argument: str) -> Node:
     """An end of an interval or another constant, exactly: a formula as text, a number, or sympy's.
 
-    Floats are read as the decimal they print as.  Raises FormulaError, naming ``what``.
+    Floats are read as the decimal they print as.  Raises FormulaError, naming the ``argument``.
 
-    >>> to_text(as_constant("2*pi", "the end"))
+    >>> to_text(as_constant("2*pi", "high"))
     '2*pi'
     """
     if isinstance(value, Node):
@@ -34,10 +34,12 @@ def as_constant(value: Any, what: str) -> Node:
         try:
             return parse_constant(value)
         except FormulaError as error:
-            raise FormulaError(f"{what}: {error}") from None
+            raise FormulaError(f"{argument}: {error}", argument=argument) from None
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise FormulaError(f"{what} is {value}: give a finite number or a formula such as 2*pi.")
+            raise FormulaError(
+                f"{argument} is {value}: give a finite number or a formula such as 2*pi.", argument=argument
+            )
         return number(Fraction(repr(value)))
     if isinstance(value, (int, Fraction)):
         return number(Fraction(value))
@@ -71,7 +73,7 @@ class FormulaCurve:
         self.text = ", ".join(to_text(c) for c in self.coordinates)
         if (low is None) != (high is None):
             raise DomainError("A curve needs both ends of its interval, or neither.")
-        self._ends = None if low is None else (as_constant(low, "--from"), as_constant(high, "--to"))
+        self._ends = None if low is None else (as_constant(low, "low"), as_constant(high, "high"))
         if self._ends is not None:
             self._check_interval(*self._ends)
 
@@ -80,10 +82,11 @@ class FormulaCurve:
 
         with precision(PRECISION):
             a, b = constant(low), constant(high)
-            for name, value, node in (("--from", a, low), ("--to", b, high)):
+            for name, value, node in (("low", a, low), ("high", b, high)):
                 if not value.is_finite():
                     raise FormulaError(
-                        f"{name} {to_text(node)} has no finite real value: give another number."
+                        f"{name} {to_text(node)} has no finite real value: give another number.",
+                        argument=name,
                     )
             if not a < b:
                 raise DomainError(

@@ -103,4 +103,4 @@ class PlaneCurve(FormulaCurve):
         from osculant.cas.jets.plane import INVARIANTS
         from osculant.curves.values import invariants_to_digits
 
-        return invariants_to_digits(self.balls, as_constant(t, "--at"), digits, INVARIANTS, ORDER)
+        return invariants_to_digits(self.balls, as_constant(t, "t"), digits, INVARIANTS, ORDER)

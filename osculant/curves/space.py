@@ -119,7 +119,7 @@ class SpaceCurve(FormulaCurve):
         from osculant.cas.invariants.space import ORDER, SPACE_INVARIANTS
         from osculant.curves.values import invariants_to_digits
 
-        return invariants_to_digits(self.balls, as_constant(t, "--at"), digits, SPACE_INVARIANTS, ORDER)
+        return invariants_to_digits(self.balls, as_constant(t, "t"), digits, SPACE_INVARIANTS, ORDER)
 
 
 #: the invariants of `SpaceCurve.tabulate`

@@ -16,13 +16,13 @@ import io
 import math
 from typing import TYPE_CHECKING, Any, Literal
 
-from osculant import __version__
 from osculant.cas.errors import DomainError, OsculantError
 from osculant.files.motions import chords_needed
 from osculant.pieces.conics import conic_arcs
 from osculant.pieces.helices import HelixArc
 from osculant.pieces.piece import largest_of
 from osculant.tolerances import checked_tolerance, writing_reserve
+from osculant.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

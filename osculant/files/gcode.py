@@ -24,12 +24,12 @@ from collections.abc import Callable, Sequence
 from decimal import Decimal
 from typing import TYPE_CHECKING, Literal
 
-from osculant import __version__
 from osculant.cas.errors import DomainError, ToleranceError
 from osculant.files.motions import ROUNDING, Arc, Program, chords_needed
 from osculant.pieces.conics import Piece, conic_arcs
 from osculant.pieces.helices import HelixArc
 from osculant.tolerances import check_reserve, checked_tolerance
+from osculant.version import __version__
 
 if TYPE_CHECKING:
     from osculant.spline import Spline

@@ -25,11 +25,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
-from osculant import __version__
 from osculant.pieces.beziers import Ellipse, cubics, ellipse, parabola_bound
 from osculant.pieces.conics import conic_arcs
 from osculant.pieces.piece import largest_of
 from osculant.tolerances import check_reserve
+from osculant.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

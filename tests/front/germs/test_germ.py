@@ -15,7 +15,7 @@ from osculant.cas.germs import codimension as codimensions
 from osculant.cas.germs.groups import Group
 from osculant.cli.germ import GermCommand
 from osculant.cli.germ import germ as command
-from osculant.cli.options import Commands
+from osculant.cli.grammar import Commands
 from osculant.germs.map_germ import germ
 
 app = typer.Typer(cls=Commands, pretty_exceptions_enable=False)
