@@ -239,7 +239,7 @@ def test_an_unknown_prediction_does_not_hide_the_spline(capsys):
         raise UndecidedError("The integral did not settle.")
 
     for given, name in (("tolerance", "predicted"), ("pieces", "predicted error")):
-        print_spline(replace(spline, complexity=unsettled, given=given), 0.1, ())
+        print_spline(replace(spline, predict=unsettled, given=given), 0.1, ())
         unknown = rf"^{name} +unknown: the integral of the theory did not settle$"
         assert re.search(unknown, capsys.readouterr().out, re.MULTILINE)
 
