@@ -14,7 +14,7 @@ from osculant.approximation.request import requested
 from osculant.approximation.space_stretches import SpaceDivision, check_finite, divide
 from osculant.cas.errors import DomainError
 from osculant.curves.curve import FormulaCurve
-from osculant.space_spline import SpaceSpline
+from osculant.spline import Spline
 from osculant.tolerances import check_floor, reserve
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def approximate_in_space(
     split: str = "theory",
     split_at: Sequence[Any] = (),
     progress: Progress | None = None,
-) -> SpaceSpline:
+) -> Spline:
     """A tangent-continuous spline of bihelices (pairs of helical arcs): few for a tolerance, or so many.
 
     Args:
@@ -57,7 +57,7 @@ def approximate_in_space(
         split_at: parameter values that shall be knots besides.
         progress: called now and then with the part of the interval done, 0…1.
 
-    Returns a `SpaceSpline`. Straight lines, circles and helices become single pieces that are exact, each
+    Returns a `Spline`. Straight lines, circles and helices become single pieces that are exact, each
     turning by less than 2π; a planar curve becomes a spline of biarcs. The errors are estimates of the
     two-sided Hausdorff distance, not certificates. The number of pieces is not proved to be the least, nor
     the error of a given number: the error of a bihelix is monotone in the length of the arc only while it is
@@ -103,20 +103,20 @@ def approximate_in_space(
     made = tuple(fitting.pieces(runs))
     least = tuple(part.least if part.exact else 1 for part in fitting.parts)
     certain = count is None and not division.undecided and division.proved
-    spline = SpaceSpline(
-        curve,
-        "bihelix",
-        rule,
-        metric,
-        allowed,
-        made,
-        "proved" if certain and len(made) == len(division.stretches) else "unknown",
-        division.undecided,
-        division.splits,
-        lambda: Prediction.of(_law(curve, division, least), allowed, len(made)),
-        is_closed,
-        split,
-        "tolerance" if count is None else "pieces",
+    spline = Spline(
+        curve=curve,
+        primitive="bihelix",
+        metric=metric,
+        rule=rule,
+        tolerance=allowed,
+        pieces=made,
+        minimal="proved" if certain and len(made) == len(division.stretches) else "unknown",
+        undecided=division.undecided,
+        splits=division.splits,
+        closed=is_closed,
+        split=split,
+        given="tolerance" if count is None else "pieces",
+        predict=lambda: Prediction.of(_law(curve, division, least), allowed, len(made)),
     )
     if primitive == "best":
         spline = replace(spline, choice=(f"bihelix: {len(made)} pieces, {spline.numbers} numbers",))
