@@ -14,7 +14,6 @@ from osculant.approximation.request import requested
 from osculant.approximation.runs import whole_error
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.primitives.table import candidates, choose
-from osculant.space_spline import SpaceSpline
 from osculant.spline import Spline
 from osculant.tolerances import FLOOR_ULPS, check_floor, reserve
 
@@ -41,7 +40,7 @@ def approximate_curve(
     split: str,
     split_at: Sequence[Any],
     progress: Progress | None,
-) -> Spline | SpaceSpline:
+) -> Spline:
     """What `osculant.approximate` says, for one primitive."""
     fit = choose(primitive, metric, rule, dimension=curve.dimension, curve=curve.text)
     allowed, count = requested(tolerance, pieces)
@@ -78,7 +77,7 @@ def approximate_curve(
         law = quick_complexity(curve, fit, found.division, least, size.scale)
         return Prediction.of(law, allowed, found.count)
 
-    return (Spline if curve.dimension == 2 else SpaceSpline)(
+    return Spline(
         curve=curve,
         primitive=primitive,
         metric=metric,
@@ -92,7 +91,7 @@ def approximate_curve(
         split=split,
         given="tolerance" if count is None else "pieces",
         gap=found.gap,
-        complexity=predict,
+        predict=predict,
     )
 
 
@@ -127,7 +126,7 @@ def _minimal(
 
 def approximate_best(
     curve: FormulaCurve, tolerance: float | None, *, pieces: int | None, rule: str | None, **wanted: Any
-) -> Spline | SpaceSpline:
+) -> Spline:
     """The spline of the primitive that takes the fewest numbers to store; `Spline.choice` tells of all.
 
     Raises DomainError with a number of pieces or a rule if there are several, as these belong to one
@@ -139,7 +138,7 @@ def approximate_best(
             raise DomainError(
                 f"The {name} {value!r} belongs to one primitive: name that and not 'best', or leave it out."
             )
-    found: list[Spline | SpaceSpline] = []
+    found: list[Spline] = []
     reasons: list[str] = []
     for primitive in names:
         try:

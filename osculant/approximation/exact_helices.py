@@ -75,8 +75,8 @@ class Helices(Segments):
 
     def _lengths(self, knots: Floats) -> list[float]:
         """The arc lengths between the knots."""
-        from osculant.cas.laws.complexity import integral
         from osculant.cas.numbers.balls import PRECISION, precision
+        from osculant.cas.numbers.quadrature import integral
 
         def density(t: Any) -> Any:
             return self.curve.balls.jet(t, 1).speed.mid()

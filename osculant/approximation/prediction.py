@@ -14,7 +14,7 @@ from osculant.primitives.table import choose
 from osculant.tolerances import checked_tolerance
 
 if TYPE_CHECKING:
-    from osculant.approximation.division import Division, Kind, Stretch
+    from osculant.approximation.division import Division, Stretch
     from osculant.curves.curve import FormulaCurve
     from osculant.primitives.primitive import Fit
 
@@ -203,34 +203,27 @@ def _complexity(
     fit: Fit, division: Division, constants: tuple[str, ...], least: tuple[int, ...], digits: int,
     following: tuple[str, ...] | None = None,
 ) -> Complexity:  # fmt: skip
-    order = _order(fit, division.stretches[0].kind)  # a curve is level everywhere or nowhere
+    order = fit.law(division.stretches[0].kind).spline_order  # a curve is level everywhere or nowhere
     return Complexity(fit.primitive.name, fit.metric, order, constants, least, digits, following)
-
-
-def _order(fit: Fit, kind: Kind) -> int:
-    """The order of a spline's error in its number of pieces: areas add, which costs one."""
-    return fit.order_on(kind) - (fit.degree - 1)
 
 
 def _constant(curve: FormulaCurve, fit: Fit, stretch: Stretch) -> Any:
     """C of one stretch, a ball; 0 where the curve is the primitive itself.
 
-    In space integrated from one point that is passed to the next: the integrand is singular there.
+    Integrated from one point that is passed to the next, where the integrand is singular; contents add, but
+    the constants of areas are powers of them.
     """
     from flint import arb
 
-    from osculant.cas.laws.bihelix_law import bihelix_constant
-    from osculant.cas.laws.complexity import complexity_constant
+    from osculant.cas.laws.complexity import law_integral
     from osculant.cas.numbers.balls import PRECISION, precision
 
     if stretch.kind not in ("generic", "level"):
         return arb(0)
-    if curve.dimension == 2:
-        name = fit.primitive.name
-        return complexity_constant(curve.balls, name, stretch.low, stretch.high, fit.metric)[0]
-    ends = pairwise([stretch.low, *stretch.passed, stretch.high])
+    law, passed = fit.law(stretch.kind), stretch.passed if fit.degree == 1 else ()
     with precision(PRECISION):
-        return sum((bihelix_constant(curve.balls, stretch.kind, *pair)[0] for pair in ends), arb(0))
+        ends = pairwise([stretch.low, *passed, stretch.high])
+        return sum((law_integral(curve.balls, law, *pair)[0] for pair in ends), arb(0))
 
 
 def _next_constants(curve: FormulaCurve, fit: Fit, division: Division) -> Iterator[str]:
@@ -253,10 +246,11 @@ def quick_complexity(
     from osculant.codegen.jets import compile_jet
     from osculant.kernels.quadrature import predicted
 
+    order = fit.law().spline_order
     jet = compile_jet(curve.coordinates, 5)  # owns the code at its address
     constants = []
     for stretch in division.stretches:
-        order, constant = _order(fit, stretch.kind), 0.0
+        constant = 0.0
         if stretch.kind == "generic":
             power = fit.order / order  # of the content that C is
             constant = predicted(fit.code, jet.address, scale, stretch.a, stretch.b) ** power

@@ -41,7 +41,7 @@ class SpaceArcs:
         self.curve, self.fit, self.stretch = coordinates.curve, fit, stretch
         self.rule, self.place = fit.code, coordinates.place()
         self.noise = coordinates.error_noise(fit.degree)
-        self.order, self.ends = fit.order_on(stretch.kind), (stretch.a, stretch.b)
+        self.order, self.ends = fit.law(stretch.kind).order, (stretch.a, stretch.b)
 
     @cached_property
     def least(self) -> int:

@@ -10,9 +10,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.formulas.expression import Node, from_sympy, number
+from osculant.cas.formulas.expression import Node, number, to_text
 from osculant.cas.formulas.parser import parse, parse_constant, parse_tuple
-from osculant.cas.formulas.text import to_text
 
 if TYPE_CHECKING:
     from numpy import float64
@@ -31,12 +30,12 @@ RESOLVED = 1e-13
 DIGITS = 15
 
 
-def as_constant(value: Any, what: str) -> Node:
+def as_constant(value: Any, argument: str) -> Node:
     """An end of an interval or another constant, exactly: a formula as text, a number, or sympy's.
 
-    Floats are read as the decimal they print as.  Raises FormulaError, naming ``what``.
+    Floats are read as the decimal they print as.  Raises FormulaError, naming the ``argument``.
 
-    >>> to_text(as_constant("2*pi", "the end"))
+    >>> to_text(as_constant("2*pi", "high"))
     '2*pi'
     """
     if isinstance(value, Node):
@@ -45,13 +44,17 @@ def as_constant(value: Any, what: str) -> Node:
         try:
             return parse_constant(value)
         except FormulaError as error:
-            raise FormulaError(f"{what}: {error}") from None
+            raise FormulaError(f"{argument}: {error}", argument=argument) from None
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise FormulaError(f"{what} is {value}: give a finite number or a formula such as 2*pi.")
+            raise FormulaError(
+                f"{argument} is {value}: give a finite number or a formula such as 2*pi.", argument=argument
+            )
         return number(Fraction(repr(value)))
     if isinstance(value, (int, Fraction)):
         return number(Fraction(value))
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
     return from_sympy(value)
 
 
@@ -87,7 +90,7 @@ class FormulaCurve(ABC):
         self.text = ", ".join(to_text(c) for c in self.coordinates)
         if (low is None) != (high is None):
             raise DomainError("A curve needs both ends of its interval, or neither.")
-        self._ends = None if low is None else (as_constant(low, "--from"), as_constant(high, "--to"))
+        self._ends = None if low is None else (as_constant(low, "low"), as_constant(high, "high"))
         if self._ends is not None:
             self._check_interval(*self._ends)
 
@@ -96,10 +99,11 @@ class FormulaCurve(ABC):
 
         with precision(PRECISION):
             a, b = constant(low), constant(high)
-            for name, value, node in (("--from", a, low), ("--to", b, high)):
+            for name, value, node in (("low", a, low), ("high", b, high)):
                 if not value.is_finite():
                     raise FormulaError(
-                        f"{name} {to_text(node)} has no finite real value: give another number."
+                        f"{name} {to_text(node)} has no finite real value: give another number.",
+                        argument=name,
                     )
             if not a < b:
                 raise DomainError(
@@ -209,7 +213,7 @@ class FormulaCurve(ABC):
         from osculant.curves.values import invariants_to_digits
 
         invariants, _, order = self._listed()
-        return invariants_to_digits(self.balls, as_constant(t, "--at"), digits, invariants, order)
+        return invariants_to_digits(self.balls, as_constant(t, "t"), digits, invariants, order)
 
     def tabulate(self, times: ArrayLike) -> dict[str, NDArray[float64]]:
         """The scalar invariants at many parameter values, by name, each an array as long as ``times``.
@@ -292,4 +296,8 @@ def coordinates_of(given: Any) -> tuple[Node, ...]:
 
 
 def _coordinate(given: Any) -> Node:
-    return parse(given) if isinstance(given, str) else from_sympy(given)
+    if isinstance(given, str):
+        return parse(given)
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
+    return from_sympy(given)

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from osculant.cas.invariants.plane import ExactInvariants
+    from osculant.cas.jets.balls import CurveBalls
     from osculant.cas.jets.plane import Invariant, PlaneJet
-    from osculant.cas.numbers.balls import CurveBalls
     from osculant.cas.zeros.form_zeros import FormZeros
     from osculant.codegen.jets import CompiledJet
 
@@ -44,7 +44,7 @@ class PlaneCurve(FormulaCurve):
     @cached_property
     def balls(self) -> CurveBalls:
         """The curve in ball arithmetic."""
-        from osculant.cas.numbers.balls import CurveBalls
+        from osculant.cas.jets.balls import CurveBalls
 
         return CurveBalls(self.coordinates)
 

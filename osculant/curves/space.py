@@ -13,9 +13,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from osculant.cas.invariants.space import SpaceExactInvariants
+    from osculant.cas.jets.balls import SpaceBalls
     from osculant.cas.jets.plane import Invariant
     from osculant.cas.jets.space import SpaceJet
-    from osculant.cas.numbers.balls import SpaceBalls
     from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
     from osculant.codegen.jets import CompiledJet
 
@@ -51,7 +51,7 @@ class SpaceCurve(FormulaCurve):
     @cached_property
     def balls(self) -> SpaceBalls:
         """The curve in ball arithmetic."""
-        from osculant.cas.numbers.balls import SpaceBalls
+        from osculant.cas.jets.balls import SpaceBalls
 
         return SpaceBalls(self.coordinates)
 

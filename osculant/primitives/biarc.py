@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from osculant.kernels import primitives as codes
 from osculant.pieces.biarcs import Biarc
 from osculant.pieces.conics import Piece
-from osculant.primitives.primitive import Floats, Itself, Method, Primitive, user_point
+from osculant.primitives.primitive import Floats, Itself, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
@@ -38,8 +38,8 @@ BIARC = Primitive(
     plural="biarcs",
     dimension=2,
     methods={
-        "hausdorff": {"equioscillating": Method(lambda: codes.BIARC, order=3)},
-        "area": {"equisymmetric": Method(lambda: codes.EQUISYMMETRIC_BIARC, order=4)},
+        "hausdorff": {"equioscillating": lambda: codes.BIARC},
+        "area": {"equisymmetric": lambda: codes.EQUISYMMETRIC_BIARC},
     },
     theory=("vertex",),
     itself=Itself("circle", ("vertex",), lambda exact: exact.circle, turning=2 * math.pi),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from osculant.pieces.helices import HelixArc, SpacePiece, Vector
-from osculant.primitives.primitive import Floats, Itself, Method, Primitive
+from osculant.primitives.primitive import Floats, Itself, Primitive
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.space import Place
@@ -71,8 +71,8 @@ BIHELIX = Primitive(
     dimension=3,
     methods={
         "hausdorff": {
-            "equioscillating": Method(equioscillating, order=3, level_order=4),
-            "thesis": Method(thesis, order=3, level_order=4),
+            "equioscillating": equioscillating,
+            "thesis": thesis,
         },
     },
     theory=("vertex",),

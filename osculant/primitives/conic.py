@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from osculant.kernels import primitives as codes
 from osculant.pieces.conics import Kind, Piece, classify
-from osculant.primitives.primitive import Floats, Itself, Method, Primitive, user_point
+from osculant.primitives.primitive import Floats, Itself, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
@@ -39,8 +39,8 @@ PARABOLA = Primitive(
     plural="parabolas",
     dimension=2,
     methods={
-        "hausdorff": {"bitangent": Method(lambda: codes.PARABOLA, order=4)},
-        "area": {"bitangent": Method(lambda: codes.AREA_PARABOLA, order=5)},
+        "hausdorff": {"bitangent": lambda: codes.PARABOLA},
+        "area": {"bitangent": lambda: codes.AREA_PARABOLA},
     },
     theory=("parabolic",),
     itself=Itself("conic", ("parabolic",), lambda exact: exact.parabola, turning=math.pi),
@@ -54,10 +54,10 @@ CONIC = Primitive(
     plural="conics",
     dimension=2,
     methods={
-        "hausdorff": {"equioscillating": Method(lambda: codes.CONIC, order=5)},
+        "hausdorff": {"equioscillating": lambda: codes.CONIC},
         "area": {
-            "equisymmetric": Method(lambda: codes.EQUISYMMETRIC, order=6),
-            "minimal-area": Method(lambda: codes.LEAST_AREA, order=6),
+            "equisymmetric": lambda: codes.EQUISYMMETRIC,
+            "minimal-area": lambda: codes.LEAST_AREA,
         },
     },
     theory=("sextactic",),

@@ -8,31 +8,18 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
+from osculant.cas.laws import law as laws
+from osculant.cas.laws.law import Law
+from osculant.cas.laws.table import law_of
+
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
 
-#: how errors are measured, the default first; with the size of a curve they grow like its power so high
-DEGREES: Mapping[str, int] = {"hausdorff": 1, "area": 2}
-METRICS = tuple(DEGREES)
+#: how errors are measured, the default first
+METRICS = tuple(laws.METRICS)
 
 Floats: TypeAlias = np.ndarray[Any, Any]
 Point: TypeAlias = Sequence[float]
-
-
-@dataclass(frozen=True)
-class Method:
-    """How a piece is chosen from those tangent to the curve at both ends.
-
-    Attributes:
-        load: returns its number in the kernels, which are loaded only then.
-        order: the error of one short arc is of this order in its length.
-        level_order: the same on a curve where the leading term of the error vanishes identically, if there
-            are such curves besides those that are arcs of the primitive itself.
-    """
-
-    load: Callable[[], int]
-    order: int
-    level_order: int | None = None
 
 
 @dataclass(frozen=True)
@@ -41,7 +28,8 @@ class Itself:
 
     Attributes:
         shape: what such a curve is.
-        forms: of the curve's zeros, those that vanish identically; if only the first do, the curve is level.
+        forms: of the curve's zeros, those that vanish identically; if only the first do, the curve is level,
+            and the primitive has another law there, by the name "level …".
         proof: whether a curve's exact invariants prove it; None if undecided.
         turning: such a curve is cut into pieces that turn by less than this.
     """
@@ -57,10 +45,11 @@ class Primitive:
     """A kind of pieces for the curves of one dimension.
 
     Attributes:
-        name: as `osculant.approximate` takes it.
+        name: as `osculant.approximate` takes it, and `osculant.cas.laws.table`.
         plural: as sentences say it.
         dimension: of the curves, 2 or 3.
-        methods: by metric and rule; the first rule is the default.
+        methods: by metric and rule, the default first, what loads the method's number in the kernels; how a
+            piece is chosen from those tangent to the curve at both ends.
         splits: the special points where no piece can pass, besides cusps; by form of the curve's zeros.
         theory: those where only theory wants a knot, as errors are not monotone across.
         itself: of curves that are arcs of the primitive; None if only straight lines are.
@@ -74,7 +63,7 @@ class Primitive:
     name: str
     plural: str
     dimension: int
-    methods: Mapping[str, Mapping[str, Method]]
+    methods: Mapping[str, Mapping[str, Callable[[], int]]]
     theory: tuple[str, ...]
     itself: Itself | None
     minimal: Literal["by theory", "unknown"]
@@ -104,29 +93,24 @@ class Fit:
     rule: str
 
     @property
-    def method(self) -> Method:
-        """The table's entry."""
-        return self.primitive.methods[self.metric][self.rule]
-
-    @property
     def code(self) -> int:
-        """The number of the method in the kernels."""
-        return self.method.load()
+        """The number of the method in the kernels, which are loaded only now."""
+        return self.primitive.methods[self.metric][self.rule]()
+
+    def law(self, kind: str = "generic") -> Law:
+        """How the error of one short arc depends on its length, on a stretch of that kind."""
+        name = self.primitive.name
+        return law_of(f"level {name}" if kind == "level" else name, self.metric)
 
     @property
     def order(self) -> int:
         """The error of one short arc is of this order in its length."""
-        return self.method.order
-
-    def order_on(self, kind: str) -> int:
-        """The same on a stretch of that kind: on "level" ones of a term that is small elsewhere."""
-        level = self.method.level_order
-        return self.order if kind != "level" or level is None else level
+        return self.law().order
 
     @property
     def degree(self) -> int:
         """1 if the error is a length, 2 if it is an area."""
-        return DEGREES[self.metric]
+        return self.law().dimension
 
 
 def user_point(place: Place, x: float, y: float) -> tuple[float, float]:
