@@ -16,7 +16,7 @@ from osculant.approximation.runs import whole_error
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.primitives.table import PRIMITIVES, choose, first_rule
 from osculant.spline import Spline
-from osculant.tolerances import FLOOR_ULPS, check_floor, reserve
+from osculant.tolerances import FLOOR_ULPS, check_floor, writing_share
 
 if TYPE_CHECKING:
     from osculant.approximation.fitting import Fitting
@@ -63,7 +63,7 @@ def approximate_in_plane(
     if count is not None:
         runs = fitting.of_number(count)
         error = whole_error(runs, fit.dimension)
-        allowed = error + reserve(error, rounding)
+        allowed = error + writing_share(error, rounding)
     elif metric == "area":
         runs = fitting.of_area(allowed, progress)
     else:

@@ -15,7 +15,7 @@ from osculant.approximation.space_stretches import SpaceDivision, check_finite, 
 from osculant.cas.errors import DomainError
 from osculant.curves.curve import FormulaCurve
 from osculant.spline import Spline
-from osculant.tolerances import check_floor, reserve
+from osculant.tolerances import check_floor, writing_share
 
 if TYPE_CHECKING:
     from osculant.approximation.runs import Progress
@@ -99,7 +99,7 @@ def approximate_in_space(
     else:
         runs = fitting.of_number(count)
         error = max(run.error for run in runs)
-        allowed = error + reserve(error, size.rounding())
+        allowed = error + writing_share(error, size.rounding())
     made = tuple(fitting.pieces(runs))
     least = tuple(part.least if part.exact else 1 for part in fitting.parts)
     certain = count is None and not division.undecided and division.proved

@@ -19,11 +19,12 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
 from osculant.cas.errors import DomainError
+from osculant.pieces.kinds import ConicKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -33,10 +34,9 @@ if TYPE_CHECKING:
     from osculant.pieces.piece import Floats, PieceLike
 
 Point = tuple[float, float]
-Kind = Literal["ellipse", "parabola", "hyperbola", "segment", "arc"]
 
 
-def classify(weight: float) -> Kind:
+def classify(weight: float) -> ConicKind:
     """Name the conic that has this weight.
 
     Args:
@@ -74,7 +74,7 @@ class Piece:
     (array([0., 1.]), array([-1.,  0.]), None)
     """
 
-    kind: Kind
+    kind: ConicKind
     interval: tuple[float, float]
     start: Point
     end: Point
@@ -83,8 +83,10 @@ class Piece:
     error: float
 
     def __post_init__(self) -> None:
-        if self.kind not in get_args(Kind):
-            raise DomainError(f"A piece is an {', '.join(get_args(Kind))}; {self.kind!r} is none of them.")
+        if self.kind not in get_args(ConicKind):
+            raise DomainError(
+                f"A piece is an {', '.join(get_args(ConicKind))}; {self.kind!r} is none of them."
+            )
         if not -1 < self.weight < math.inf:
             raise DomainError(
                 f"A conic arc is bounded only for a weight above -1 and finite; this one has {self.weight!r}."
@@ -164,6 +166,16 @@ class Piece:
             b.append(float(w * end - middle))
             c.append(float(end - start))
         return (a[0], a[1]), (b[0], b[1]), (c[0], c[1])
+
+    @property
+    def turning(self) -> float:
+        """The angle by which the tangent turns from start to end, of an arc or a segment; positive leftwards.
+
+        >>> Piece.arc((0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)).turning == math.pi
+        True
+        """
+        (ax, ay), _, (cx, cy) = self.legs
+        return 2 * math.atan2(ax * cy - ay * cx, ax * cx + ay * cy)
 
     @cached_property
     def bulge(self) -> Point:

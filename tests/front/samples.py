@@ -33,6 +33,12 @@ def spline_of(pieces, *, text="x(t), y(t)", primitive="conic", tolerance=1e-6, p
     )
 
 
+def written(spline, writer, *, reserve=None, command=None, **options):
+    """What a writer makes of a spline, with the budget that `Spline.write` gives it."""
+    budget = spline.writing_budget if reserve is None else reserve
+    return writer(spline.chain, spline.facts(command), budget, **options)
+
+
 @st.composite
 def pieces(draw, weights=None):
     """Draw a conic arc of any size and place, with any end tangents and turning up to nearly 2π."""
