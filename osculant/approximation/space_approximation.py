@@ -11,7 +11,7 @@ from osculant.approximation.closing import ends_meet
 from osculant.approximation.predicted import Prediction
 from osculant.approximation.prediction import Complexity
 from osculant.approximation.request import requested
-from osculant.approximation.space_stretches import SpaceDivision, check_finite, divide
+from osculant.approximation.space_stretches import LAWS, SpaceDivision, check_finite, divide
 from osculant.cas.errors import DomainError
 from osculant.curves.curve import FormulaCurve
 from osculant.spline import Spline
@@ -156,7 +156,8 @@ def complexity_in_space(
 def _law(curve: SpaceCurve, division: SpaceDivision, least: tuple[int, ...]) -> Complexity:
     from flint import arb
 
-    from osculant.cas.laws.bihelix_law import LAWS, bihelix_constant
+    from osculant.cas.laws.complexity import complexity_constant
+    from osculant.cas.laws.table import law_of
     from osculant.cas.numbers.balls import PRECISION, precision
 
     constants = []
@@ -166,10 +167,11 @@ def _law(curve: SpaceCurve, division: SpaceDivision, least: tuple[int, ...]) -> 
             continue
         ends = pairwise([stretch.low, *stretch.passed, stretch.high])
         with precision(PRECISION):
-            value = sum((bihelix_constant(curve.balls, stretch.shape, *pair)[0] for pair in ends), arb(0))
+            law = LAWS[stretch.shape]
+            value = sum((complexity_constant(curve.balls, law, *pair)[0] for pair in ends), arb(0))
         constants.append(value.str(DIGITS, radius=False))
     shape = division.stretches[0].shape
-    order = LAWS[shape if shape in LAWS else "generic"].order
+    order = law_of(LAWS.get(shape, "bihelix")).spline_order
     return Complexity("bihelix", "hausdorff", order, tuple(constants), least, DIGITS)
 
 

@@ -77,9 +77,10 @@ def germ(
     if order is not None and transversal is None:
         raise UsageError("The option --order needs --transversal: it names coordinates for it.")
 
-    from osculant.germs import map_germ as map_germs
+    from osculant.germs import map_germ
+    from osculant.germs.report import report
 
-    given = map_germs.germ(formula, source, boundary)
+    given = map_germ.germ(formula, source, boundary)
     if transversal is not None:
         k = whole_number(transversal, "--transversal")
         data: dict[str, Any] = {
@@ -93,7 +94,7 @@ def germ(
         }
     else:
         with Waiting("computing") as progress:
-            data = given.report(group, progress)
+            data = report(given, group, progress)
     if as_json:
         print_json(data)
         return
@@ -117,10 +118,11 @@ def _listed(name: str, terms: Sequence[str]) -> Iterator[tuple[str, str]]:
 
 
 def rows(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
-    """The rows of a germ's table, from what `MapGerm.report` returns.
+    """The rows of a germ's table, from what `osculant.germs.report.report` returns.
 
     >>> from osculant.germs.map_germ import germ
-    >>> dict(rows(germ("x, x*y + y**3", "x y").report()))["determinacy"]
+    >>> from osculant.germs.report import report
+    >>> dict(rows(report(germ("x, x*y + y**3", "x y"))))["determinacy"]
     '3, sharp: the 2-jet has a codimension of at least 3, not 2'
     """
     reasons = data["reason"]
@@ -160,7 +162,8 @@ def certificate_rows(certificate: dict[str, Any]) -> Iterator[tuple[str, str]]:
     """The rows that tell the certificates of the codimensions.
 
     >>> from osculant.germs.map_germ import germ
-    >>> for name, text in certificate_rows(germ("x**2", "x").certificate()):
+    >>> from osculant.germs.report import certificate
+    >>> for name, text in certificate_rows(certificate(germ("x**2", "x"))):
     ...     print(name, "|", text)
     T G f | rank 1 of 3 in jets of order 2; contains M^2θ (l = 1); 2 functionals vanish on it:
      | 1: 1

@@ -73,7 +73,7 @@ def arrange(
             options += [name, value]
             open_option = name if name in repeated else ""
         elif _OPTION.fullmatch(argument) and not _MINUS.fullmatch(argument):
-            raise UsageError(_unknown("option", name, valued | flags))
+            raise UsageError(unknown("option", name, valued | flags))
         elif open_option and len(positional) >= places:
             options += [open_option, argument]
         else:
@@ -96,7 +96,7 @@ def _value(name: str, waiting: list[str], known: set[str]) -> str:
     return value
 
 
-def _unknown(what: str, name: str, known: Iterable[str]) -> str:
+def unknown(what: str, name: str, known: Iterable[str]) -> str:
     """The sentence about a name that does not exist."""
     near = get_close_matches(name, list(known), n=1, cutoff=0.6)
     advice = f"did you mean {near[0]}?" if near else f"choose one of {', '.join(sorted(known))}."
@@ -129,11 +129,11 @@ class Commands(TyperGroup):
         """Refuse unknown options before the command."""
         known = _names(self.get_params(ctx))
         if args and _OPTION.fullmatch(args[0]) and args[0] not in known:
-            raise UsageError(_unknown("option", args[0], known))
+            raise UsageError(unknown("option", args[0], known))
         return super().parse_args(ctx, args)
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         """Find the command by its name."""
         if args[0] not in self.commands:
-            raise UsageError(_unknown("command", args[0], self.commands))
+            raise UsageError(unknown("command", args[0], self.commands))
         return super().resolve_command(ctx, args)

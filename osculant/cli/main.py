@@ -17,6 +17,7 @@ import typer
 
 from osculant.cas.errors import OsculantError
 from osculant.cli.approximate import approximate
+from osculant.cli.cache import cache
 from osculant.cli.complexity import complexity
 from osculant.cli.germ import GermCommand, germ
 from osculant.cli.grammar import Commands, FormulaCommand
@@ -59,7 +60,7 @@ def _door(
         print(context.get_help())
 
 
-for command in (approximate, invariants, complexity, tables, verify):
+for command in (approximate, invariants, complexity, tables, verify, cache):
     app.command(cls=FormulaCommand)(command)
 app.command(cls=GermCommand)(germ)
 

@@ -10,6 +10,7 @@ from osculant.cli.options import AsJson
 from osculant.cli.output import Waiting, console, print_json, print_rows
 
 if TYPE_CHECKING:
+    from osculant.thesis.count_tables import CountTable
     from osculant.thesis.tables import ComputedTable
 
 
@@ -37,7 +38,7 @@ def tables(
     if as_json:
         print_json(table.to_json())
     elif isinstance(table, CountTable):
-        print(table.text())
+        print_counts(table)
     else:
         print_table(table)
 
@@ -81,3 +82,28 @@ def print_table(table: ComputedTable) -> None:
             for constant in table.constants
         ]
     )
+
+
+def print_counts(table: CountTable) -> None:
+    """Print a table of counts beside theory.
+
+    >>> from osculant.thesis.count_tables import CountRow, CountTable
+    >>> row = CountRow("spiral", 0.01, {"biarc": 5}, 4.22114)
+    >>> print_counts(CountTable("5", "Biarcs", (row,), {"spiral": "0.909416"}))
+    Table 5. Biarcs
+    <BLANKLINE>
+    curve   tolerance  biarc  theory
+    spiral      1e-02      5    4.22
+    <BLANKLINE>
+    constant, spiral  0.909416
+    """
+    rules = list(table.rows[0].pieces)
+    width = max(len("curve"), *(len(row.curve) for row in table.rows))
+    sizes = [max(6, len(rule) + 1) for rule in rules]
+    head = "".join(f"{rule:>{size + 1}}" for rule, size in zip(rules, sizes))
+    print(f"Table {table.number}. {table.caption}\n\n{'curve':<{width}}  tolerance{head}  theory")
+    for row in table.rows:
+        counts = "".join(f"{row.pieces[rule]:>{size + 1}}" for rule, size in zip(rules, sizes))
+        print(f"{row.curve:<{width}}  {row.tolerance:>9.0e}{counts}  {row.theory:>6.2f}")
+    print()
+    print_rows([(f"constant, {name}", value) for name, value in table.constants.items()])

@@ -18,7 +18,7 @@ FAILED = 1
 
 Names = Annotated[
     list[str] | None,
-    typer.Argument(metavar="[ID...|all]", help='Claims or sections, such as "lemma 2.2.1", 3.17 or 4.3.'),
+    typer.Argument(metavar="ID|all", help='Claims or sections, such as "lemma 2.2.1", 3.17 or 4.3.'),
 ]
 Chapter = Annotated[str | None, typer.Option("--chapter", metavar="N", help="Only this chapter or appendix.")]
 Show = Annotated[
