@@ -8,26 +8,21 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
-import numpy as np
-
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.files.facts import Facts
+from osculant.certificates.splines import Certificate, certify
+from osculant.files.facts import Facts, usual_budget
 from osculant.files.figures import DRAWN_POINTS, draw
 from osculant.files.registry import writer_of
 from osculant.files.writing import write_whole
 from osculant.pieces.chain import Chain
-from osculant.pieces.conics import Piece
-from osculant.tolerances import checked_budget, writing_share
+from osculant.tolerances import checked_budget
 
 if TYPE_CHECKING:
     import os
 
     from numpy.typing import ArrayLike
 
-    from osculant.certificates.splines import Certificate
     from osculant.pieces.piece import Box, Floats, PieceLike
-
-__all__ = ["Piece", "Prediction", "Spline"]
 
 
 class CurveText(Protocol):
@@ -85,6 +80,7 @@ class Spline:
         certificate: what `certify` proved; None until it is called, which alone sets it.
 
     >>> from types import SimpleNamespace
+    >>> from osculant.pieces.conics import Piece
     >>> pieces = (
     ...     Piece("parabola", (0.0, 1.0), (0.0, 0.0), (1.0, 1.0), (0.5, 0.0), 1.0, 1e-3),
     ...     Piece.segment((1.0, 2.0), (1.0, 1.0), (2.0, 3.0)),
@@ -230,25 +226,13 @@ class Spline:
         (True, 'certified', True)
         """
         if self.certificate is None:
-            from osculant.certificates.splines import certify
-            from osculant.curves.plane import PlaneCurve
-
             if self.metric != "hausdorff":
                 raise DomainError(
                     f"Errors in the metric {self.metric!r} cannot be certified: choose 'hausdorff'."
                 )
-            if self.chain.dimension == 3:
-                raise DomainError(
-                    f"The spline of {self.curve.text} is in space, and only errors in the plane can be "
-                    "certified: leave out the third coordinate."
-                )
-            if not isinstance(self.curve, PlaneCurve):
-                raise DomainError(
-                    f"Of {self.curve.text} only the text is known: certify what approximate returns."
-                )
             proof = certify(self.curve, self.pieces, self.tolerance, progress)
-            object.__setattr__(self, "certificate", proof)
-        assert self.certificate is not None
+            object.__setattr__(self, "certificate", proof)  # frozen to all others
+            return proof
         return self.certificate
 
     @cached_property
@@ -333,16 +317,6 @@ class Spline:
             command=command,
         )
 
-    @property
-    def writing_budget(self) -> float:
-        """How far what is written may be from the pieces: what the tolerance leaves, if it is little."""
-        rounding = math.ulp(self.chain.largest)
-        length = 1.0
-        if self.metric == "area":  # of a strip along both curves
-            length = 2 * float(np.linalg.norm(np.diff(self.sample(DRAWN_POINTS), axis=0), axis=1).sum())
-        left = max(0.0, self.tolerance - self.error)
-        return min(writing_share(self.tolerance, rounding * length), left) / length
-
     def write(
         self,
         path: str | os.PathLike[str],
@@ -357,7 +331,7 @@ class Spline:
         Args:
             path: the suffix is one of `osculant.files.registry`, of a format for splines of its dimension.
             reserve: how far what is written may be from the pieces, chords for helices aside; by default
-                `writing_budget`. Formats that hold every number exactly have no use for it.
+                what the tolerance leaves. Formats that hold every number exactly have no use for it.
             decimals: of G-code. Formats for which this, or another option, means nothing pass it over.
             units: of G-code and DXF; by default none are written.
             command: the command line that made the spline, recorded in the file.
@@ -367,14 +341,13 @@ class Spline:
             DomainError: pieces that the format cannot hold.
             ToleranceError: a reserve too small for the digits, or decimals too few for the reserve.
         """
-        writer = writer_of(path, self.chain.dimension)
-        budget = self.writing_budget
+        writer, facts = writer_of(path, self.chain.dimension), self.facts(command)
+        budget = usual_budget(self.chain, facts) if reserve is None else reserve
         if writer.rounds:
-            asked = reserve is not None
-            budget = checked_budget(reserve if reserve is not None else budget, self.chain.largest, asked)
+            checked_budget(budget, self.chain.largest, asked=reserve is not None)
         given = {"decimals": decimals, "units": units}
         options = {name: value for name, value in given.items() if value is not None and writer.takes(name)}
-        write_whole(path, writer.text(self.chain, self.facts(command), budget, **options))
+        write_whole(path, writer.text(self.chain, facts, budget, **options))
 
     def plot(self, path: str | os.PathLike[str] | None = None, axes: Any = None) -> Any:
         """Draw the pieces in alternating colours with the knots marked, by means of matplotlib.

@@ -1,12 +1,22 @@
-"""What a file tells about the spline in it: how it was made and how good it is."""
+"""What a file tells about the spline in it, how it was made and how good it is, and what writing may add."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from osculant.tolerances import writing_share
 from osculant.version import __version__
+
+if TYPE_CHECKING:
+    from osculant.pieces.chain import Chain
+
+#: points on each piece for the length of a spline
+POINTS = 65
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,3 +82,28 @@ def header_lines(rows: dict[str, str]) -> list[str]:
     """A `header` in lines, the name of the program and its version first."""
     (program, version), *others = rows.items()
     return [f"{program} {version}", *(f"{name}: {text}" for name, text in others)]
+
+
+def usual_budget(chain: Chain, facts: Facts) -> float:
+    """How far what is written may be from a spline's pieces: what the tolerance leaves, if it is little.
+
+    Args:
+        chain: the pieces.
+        facts: with the tolerance and the error.
+
+    >>> from osculant.pieces.chain import Chain
+    >>> from osculant.pieces.conics import Piece
+    >>> chord = Chain([Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 4.0))])
+    >>> facts = Facts(
+    ...     curve="t, t**2", primitive="conic", pieces=1, tolerance=0.1, metric="hausdorff", error=0.0,
+    ...     error_kind="exact", closed=False, data=dict,
+    ... )
+    >>> usual_budget(chord, facts) == 0.1 * 2.5e-7
+    True
+    """
+    rounding = math.ulp(chain.largest)
+    length = 1.0
+    if facts.metric == "area":  # of a strip along both curves
+        length = 2 * float(np.linalg.norm(np.diff(chain.sample(POINTS), axis=0), axis=1).sum())
+    left = max(0.0, facts.tolerance - facts.error)
+    return min(writing_share(facts.tolerance, rounding * length), left) / length

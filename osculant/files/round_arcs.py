@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from osculant.cas.errors import DomainError
-from osculant.pieces.conics import conic_arcs
+from osculant.pieces.chain import conic_arcs
 from osculant.pieces.helices import HelixArc
 
 if TYPE_CHECKING:

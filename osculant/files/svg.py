@@ -27,7 +27,7 @@ from xml.sax.saxutils import escape
 
 from osculant.files.facts import header, header_lines
 from osculant.pieces.beziers import Ellipse, cubics, ellipse, parabola_bound
-from osculant.pieces.conics import conic_arcs
+from osculant.pieces.chain import conic_arcs
 from osculant.pieces.piece import largest_of
 from osculant.tolerances import checked_budget
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from osculant.files.facts import Facts
     from osculant.pieces.chain import Chain
     from osculant.pieces.conics import Piece, Point
-    from osculant.pieces.piece import PieceLike, Vector
+    from osculant.pieces.piece import Coordinates, PieceLike
 
 LARGEST_RADIUS = 1e4  # of a written ellipse, relative to the piece's size
 LARGEST_AMPLIFICATION = 1e3  # of the rounding of end points; every factor of ten costs all numbers a digit
@@ -213,7 +213,7 @@ def _write(command: Command, decimals: int) -> str:
     return f"A{axes} 0 {int(command.sweep)} {points}"
 
 
-def _pair(point: Vector, decimals: int) -> str:
+def _pair(point: Coordinates, decimals: int) -> str:
     return f"{number(point[0], decimals)} {number(point[1], decimals)}"
 
 

@@ -27,11 +27,11 @@ from osculant.cas.errors import DomainError
 from osculant.pieces.kinds import ConicKind
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import ArrayLike
 
-    from osculant.pieces.piece import Floats, PieceLike
+    from osculant.pieces.piece import Floats
 
 Point = tuple[float, float]
 
@@ -293,27 +293,6 @@ def _positive_roots(a: float, b: float, c: float) -> list[float]:
     q = -(b + math.copysign(math.sqrt(discriminant), b)) / 2
     roots = [a / q if q else 0.0, q / c if c else 0.0]
     return [r for r in roots if 0 < r < math.inf]
-
-
-def conic_arcs(pieces: Iterable[PieceLike]) -> list[Piece]:
-    """The arcs of pieces in the plane, in order.
-
-    Raises:
-        DomainError: a piece of other arcs.
-
-    >>> len(conic_arcs([Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]))
-    1
-    """
-    found = []
-    for piece in pieces:
-        for arc in piece.arcs:
-            if not isinstance(arc, Piece):
-                raise DomainError(
-                    f"The piece on {piece.interval} is of kind {piece.kind!r}, which is no "
-                    "arc of a conic in the plane: approximate a curve in the plane."
-                )
-            found.append(arc)
-    return found
 
 
 def _floats(values: tuple[float, float]) -> list[float]:

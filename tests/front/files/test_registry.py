@@ -18,6 +18,7 @@ import osculant as osc
 from osculant.cas.errors import OsculantError
 from osculant.files.registry import WRITERS, register, writer_of, writers
 from osculant.pieces.kinds import KINDS
+from tests.front.samples import written
 
 FOLDER = Path(osc.__file__).parent
 README = (FOLDER.parent / "README.md").read_text(encoding="utf-8")
@@ -72,12 +73,11 @@ def test_kinds_that_it_cannot_hold_are_refused(writer):
     for primitive, formula in spirals.items():
         spline = osc.approximate(osc.curve(formula, "1/2", 2), primitive, 1e-2)
         kinds = {arc.kind for arc in spline.chain.arcs}
-        arguments = spline.chain, spline.facts(), spline.writing_budget
         if writer.holds(kinds):
-            assert READERS[writer.name](writer.text(*arguments))
+            assert READERS[writer.name](written(spline, writer.text))
         else:
             with pytest.raises(OsculantError, match="approximate with biarcs"):
-                writer.text(*arguments)
+                written(spline, writer.text)
 
 
 def test_every_writer_is_read_and_two_of_one_suffix_are_refused():
