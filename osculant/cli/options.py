@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 import typer
 
@@ -15,7 +15,7 @@ from osculant.cli.grammar import UsageError
 from osculant.cli.output import printable
 from osculant.files.registry import Writer, suffixes, writer_of
 from osculant.files.writing import listed, not_installed
-from osculant.pieces.kinds import KINDS
+from osculant.pieces.kinds import KINDS, ConicKind
 from osculant.primitives.arc_kinds import ARC_KINDS, may_become
 
 #: what the command line calls that which the library's sentences call otherwise
@@ -117,8 +117,8 @@ def _check_arcs(file: str, writer: Writer, primitive: str | None) -> None:
     if unfit:
         most_general = max(unfit, key=lambda name: len(ARC_KINDS[name]))
         verb = "are to be" if most_general == primitive else "may become"
-        held = listed([KINDS[kind] for kind in writer.exact])
-        able = [name for name, kinds in ARC_KINDS.items() if set(kinds) <= set(writer.exact)]
+        held = listed([KINDS[kind] for kind in KINDS if kind in get_args(ConicKind) and writer.holds([kind])])
+        able = [name for name in may_become("best") if writer.holds(ARC_KINDS[name])]
         raise OsculantError(
             f"Cannot write {printable(file)}: it would hold {held} only, and the pieces {verb} "
             f"{most_general} arcs; choose --with {listed(able, 'or')}."

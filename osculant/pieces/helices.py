@@ -111,18 +111,11 @@ class HelixArc:
     @staticmethod
     def together(arcs: Sequence[HelixArc]) -> Callable[[Any, Floats], Floats]:
         """Return a function that evaluates many arcs at once, for arrays of their indices and of u."""
-        starts = np.array([arc.start for arc in arcs])
-        sizes = np.array([[[arc.length], [arc.rate]] for arc in arcs])
-        vectors = np.array([arc._vectors for arc in arcs])
-
-        def points(i: Any, u: Floats) -> Floats:
-            lengths, rates = np.moveaxis(sizes[i], -2, 0)
-            found: Floats = starts[i] + _from_start(
-                lengths * u[..., None], rates, *np.moveaxis(vectors[i], -2, 0)
-            )
-            return found
-
-        return points
+        rows = ((arc.start, [arc.length], [arc.rate], *arc._vectors) for arc in arcs)
+        starts, lengths, rates, *vectors = map(np.array, zip(*rows))
+        return lambda i, u: (
+            starts[i] + _from_start(lengths[i] * u[..., None], rates[i], *(v[i] for v in vectors))
+        )
 
     @property
     def numbers(self) -> int:

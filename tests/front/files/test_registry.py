@@ -16,8 +16,10 @@ import pytest
 
 import osculant as osc
 from osculant.cas.errors import OsculantError
+from osculant.cli.options import check_files
 from osculant.files.registry import WRITERS, register, writer_of, writers
 from osculant.pieces.kinds import KINDS
+from osculant.primitives.arc_kinds import ARC_KINDS, may_become
 from tests.front.samples import written
 
 FOLDER = Path(osc.__file__).parent
@@ -78,6 +80,43 @@ def test_kinds_that_it_cannot_hold_are_refused(writer):
         else:
             with pytest.raises(OsculantError, match="approximate with biarcs"):
                 written(spline, writer.text)
+
+
+@pytest.mark.parametrize(
+    ("primitive", "formulas"),
+    [
+        ("parabola", ["t, t^3 + t", "t, 2*t", "t, t^2"]),
+        ("conic", ["t*cos(t), t*sin(t)", "cos(t), sin(t)", "t, 2*t", "t, 1/t", "t, t^2", "t, t^3"]),
+        ("biarc", ["t*cos(t), t*sin(t)", "cos(t), sin(t)", "t, 2*t"]),
+        ("bihelix", ["t, t^2, t^3", "cos(t), sin(t), t", "cos(t), sin(t), 1", "t, t, t"]),
+    ],
+)
+def test_pieces_are_of_the_kinds_that_their_primitive_tells(primitive, formulas):
+    splines = [osc.approximate(osc.curve(formula, "1/4", 2), primitive, 1e-3) for formula in formulas]
+    assert {arc.kind for spline in splines for arc in spline.chain.arcs} <= set(ARC_KINDS[primitive])
+
+
+def test_the_command_line_refuses_before_the_work_what_no_format_can_hold(tmp_path):
+    for primitive in (*ARC_KINDS, "best", None):
+        for writer in WRITERS:
+            file = str(tmp_path / f"a{writer.suffixes[0]}")
+            if all(writer.holds(ARC_KINDS[name]) for name in may_become(primitive)):
+                check_files([file], None, primitive)
+            else:
+                with pytest.raises(OsculantError, match=r"it would hold lines.* choose --with .*biarc"):
+                    check_files([file], None, primitive)
+    check_files([str(tmp_path / "a.svg")], None, "best")
+    for file, primitive, says in (
+        (
+            "a.dxf",
+            "best",
+            "would hold lines and circular arcs only, and the pieces may become conic arcs;",
+        ),
+        ("a.nc", "conic", "only, and the pieces are to be conic arcs; choose --with biarc."),
+        ("a.svg", "bihelix", "ellipses and hyperbolas only, and the pieces are to be bihelix arcs;"),
+    ):
+        with pytest.raises(OsculantError, match=re.escape(says)):
+            check_files([str(tmp_path / file)], None, primitive)
 
 
 def test_every_writer_is_read_and_two_of_one_suffix_are_refused():
