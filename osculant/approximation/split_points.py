@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError
-from osculant.cas.formulas.text import to_text
+from osculant.cas.formulas.expression import to_text
 from osculant.curves.curve import as_constant
 
 if TYPE_CHECKING:

@@ -118,7 +118,6 @@ def approximate(
     options = writing_options(write, reserve=reserve, decimals=decimals, units=units)
 
     from osculant import api
-    from osculant.space_spline import SpaceSpline
 
     curve = api.curve(formula, low, high)
     if certify and (metric != "hausdorff" or len(curve.coordinates) == 3):
@@ -137,7 +136,7 @@ def approximate(
             split_at=split_at or (),
             progress=progress,
         )
-    if certify and not isinstance(spline, SpaceSpline):
+    if certify:
         with Waiting("certifying") as progress:
             spline.certify(progress)
     seconds = perf_counter() - began

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from osculant.cli.output import print_rows, printable
 
 if TYPE_CHECKING:
-    from osculant.spline_facts import SplineFacts
+    from osculant.spline import Spline
 
 #: split points that are listed
 LISTED = 8
@@ -18,7 +18,7 @@ LISTED = 8
 UNSPLIT = "never where only theory wants it: errors are measured, but nothing proves the number minimal"
 
 
-def print_spline(spline: SplineFacts, seconds: float, files: Sequence[str]) -> None:
+def print_spline(spline: Spline, seconds: float, files: Sequence[str]) -> None:
     """Print what was made, how good it is and whether it is the best, one fact a line."""
     rows = [
         ("curve", spline.curve.text),
@@ -37,7 +37,7 @@ def print_spline(spline: SplineFacts, seconds: float, files: Sequence[str]) -> N
     print_rows(rows)
 
 
-def _choice(spline: SplineFacts) -> list[tuple[str, str]]:
+def _choice(spline: Spline) -> list[tuple[str, str]]:
     """The primitive, and what else was chosen if it is not the usual; of bihelices the rule in any case."""
     from osculant.primitives.table import METRICS, PRIMITIVES, first_rule
 
@@ -56,7 +56,7 @@ def _choice(spline: SplineFacts) -> list[tuple[str, str]]:
     return rows
 
 
-def _minimal(spline: SplineFacts) -> str:
+def _minimal(spline: Spline) -> str:
     """Whether the number of pieces is the least, or what else is, and among which splines."""
     if spline.minimal == "unknown":
         return spline.minimal
@@ -66,7 +66,7 @@ def _minimal(spline: SplineFacts) -> str:
     return f"{spline.minimal}{' (with at most tolerance/pieces each)' if shares else ''}"
 
 
-def _size(spline: SplineFacts) -> list[tuple[str, str]]:
+def _size(spline: Spline) -> list[tuple[str, str]]:
     """The number of pieces and the tolerance, of which one was given, and what theory says of the other."""
     unknown = "unknown: the integral of the theory did not settle"
     if spline.given == "pieces":
@@ -83,7 +83,7 @@ def _size(spline: SplineFacts) -> list[tuple[str, str]]:
     ]
 
 
-def _error(spline: SplineFacts) -> list[tuple[str, str]]:
+def _error(spline: Spline) -> list[tuple[str, str]]:
     """The error, of areas that of the largest piece too, and what was proved of it."""
     kind = "" if spline.error_kind == "exact" else f" ({spline.error_kind})"
     if spline.metric == "area":
@@ -122,7 +122,7 @@ def _rounded(bound: float, direction: str) -> str:
     return f"{float(Context(prec=10, rounding=direction).create_decimal(bound)):.10g}"
 
 
-def _closing(spline: SplineFacts) -> list[tuple[str, str]]:
+def _closing(spline: Spline) -> list[tuple[str, str]]:
     """Whether the ends are joined and, where any start would do, how good this one is."""
     if not spline.closed:
         return []

@@ -8,9 +8,8 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.formulas.expression import Node, from_sympy, number
+from osculant.cas.formulas.expression import Node, number, to_text
 from osculant.cas.formulas.parser import parse, parse_constant, parse_tuple
-from osculant.cas.formulas.text import to_text
 
 #: characters of a constant shown in messages
 LONGEST_SHOWN = 40
@@ -43,6 +42,8 @@ def as_constant(value: Any, argument: str) -> Node:
         return number(Fraction(repr(value)))
     if isinstance(value, (int, Fraction)):
         return number(Fraction(value))
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
     return from_sympy(value)
 
 
@@ -147,4 +148,8 @@ def coordinates_of(given: Any) -> tuple[Node, ...]:
 
 
 def _coordinate(given: Any) -> Node:
-    return parse(given) if isinstance(given, str) else from_sympy(given)
+    if isinstance(given, str):
+        return parse(given)
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
+    return from_sympy(given)

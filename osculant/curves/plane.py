@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from osculant.cas.invariants.plane import ExactInvariants
-    from osculant.cas.numbers.balls import CurveBalls
+    from osculant.cas.jets.balls import CurveBalls
     from osculant.codegen.jets import CompiledJet
 
 __all__ = ["DIGITS", "PlaneCurve", "as_constant"]
@@ -39,7 +39,7 @@ class PlaneCurve(FormulaCurve):
     @cached_property
     def balls(self) -> CurveBalls:
         """The curve in ball arithmetic."""
-        from osculant.cas.numbers.balls import CurveBalls
+        from osculant.cas.jets.balls import CurveBalls
 
         return CurveBalls(self.coordinates)
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from osculant.cas.invariants.space import SpaceExactInvariants
-    from osculant.cas.numbers.balls import SpaceBalls
+    from osculant.cas.jets.balls import SpaceBalls
     from osculant.codegen.jets import CompiledJet
 
 #: order of the jets that the kernels sample
@@ -45,7 +45,7 @@ class SpaceCurve(FormulaCurve):
     @cached_property
     def balls(self) -> SpaceBalls:
         """The curve in ball arithmetic."""
-        from osculant.cas.numbers.balls import SpaceBalls
+        from osculant.cas.jets.balls import SpaceBalls
 
         return SpaceBalls(self.coordinates)
 

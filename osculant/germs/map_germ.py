@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, FormulaError, UndecidedError
-from osculant.cas.formulas.expression import Node, from_sympy, variable
+from osculant.cas.formulas.expression import Node, to_text, variable
 from osculant.cas.formulas.parser import parse, parse_tuple
-from osculant.cas.formulas.text import to_text
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group
@@ -64,6 +63,10 @@ def _components(formulas: Any, names: Sequence[str]) -> tuple[Node, ...]:
     parts = _parts(formulas)
     if not parts:
         raise FormulaError("The germ has no component: give at least one formula, such as x**2.")
+    if all(isinstance(part, str) for part in parts):
+        return tuple(parse(part, names) for part in parts)
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
     return tuple(parse(part, names) if isinstance(part, str) else from_sympy(part) for part in parts)
 
 

@@ -23,7 +23,7 @@ from osculant.cli.grammar import UsageError, arrange
 from osculant.cli.main import main
 from osculant.cli.splines import print_spline
 from osculant.files.writing import SUFFIXES, listed
-from osculant.spline import Spline
+from tests.front.samples import circle, spline_of
 
 DATA = Path(__file__).parents[2] / "data"
 GOLDEN = sorted(DATA.glob("golden-*.json"))
@@ -200,7 +200,7 @@ def test_known_suffixes_are_those_of_the_spline(tmp_path, capsys):
     assert main([*CUBIC, "--with", "biarc", "--tolerance", "1e-3", "--write", *map(str, files)]) == 0
     assert all(file.stat().st_size for file in files)
     with pytest.raises(OsculantError, match=re.escape(listed(SUFFIXES))):
-        Spline.write(None, "spline.xyz")
+        spline_of([circle(0.0, 1.0)]).write("spline.xyz")
 
 
 def test_several_files_are_written(tmp_path, capsys):
@@ -239,7 +239,7 @@ def test_an_unknown_prediction_does_not_hide_the_spline(capsys):
         raise UndecidedError("The integral did not settle.")
 
     for given, name in (("tolerance", "predicted"), ("pieces", "predicted error")):
-        print_spline(replace(spline, complexity=unsettled, given=given), 0.1, ())
+        print_spline(replace(spline, predict=unsettled, given=given), 0.1, ())
         unknown = rf"^{name} +unknown: the integral of the theory did not settle$"
         assert re.search(unknown, capsys.readouterr().out, re.MULTILINE)
 
