@@ -6,11 +6,12 @@ import math
 from typing import TYPE_CHECKING
 
 from osculant.kernels import primitives as codes
-from osculant.pieces.conics import Kind, Piece, classify
+from osculant.pieces.conics import Piece, classify
 from osculant.primitives.primitive import Floats, Itself, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
+    from osculant.pieces.kinds import ConicKind
 
 
 def conic_piece(row: Floats, place: Place, error: float) -> Piece:
@@ -24,7 +25,7 @@ def parabola_piece(row: Floats, place: Place, error: float) -> Piece:
     return _arc(row, place, error, "parabola", 1.0)
 
 
-def _arc(row: Floats, place: Place, error: float, kind: Kind, weight: float) -> Piece:
+def _arc(row: Floats, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
     a, b, q, _, _, x0, y0, tx, ty, x2, y2, _, reach, _, _ = row.tolist()
     start, end = user_point(place, x0, y0), user_point(place, x2, y2)
     if q == 0:
