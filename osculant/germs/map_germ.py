@@ -5,7 +5,7 @@ Every answer is exact, or "infinite" where that is proved; UndecidedError tells 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -86,7 +86,7 @@ class GermUnfolding:
 
 
 class MapGerm:
-    """A map-germ; `germ` makes it.
+    """A map-germ; `germ` makes it, and `osculant.germs.report.report` tells all answers as plain data.
 
     Groups are named "R", "L", "C", "K", "A", "R(H)", "K(H)", "A(H)", or are `Group` objects. Where none is
     named, the group is A, or R for a function (p = 1), with (H) if there is a boundary variable. An (H) group
@@ -249,28 +249,6 @@ class MapGerm:
             return LocalAlgebra(0, ())
         # Unless it is everything, an ideal of largest minors has height |n − p| + 1 at most.
         return "infinite" if n > abs(n - p) + 1 else ramification(self.exact)
-
-    def certificate(self, group: GroupName = None) -> dict[str, Any]:
-        """What an independent checker needs, as plain data: see `osculant.germs.report`.
-
-        >>> found = germ("x**3", "x").certificate("R")["extended_codimension"]
-        >>> found["order"], found["depth"], found["functionals"]
-        (2, 1, [{'1': '1'}, {'x': '1'}])
-        """
-        return dict(self.report(group)["certificate"])
-
-    def report(
-        self, group: GroupName = None, progress: Callable[[float], None] | None = None
-    ) -> dict[str, Any]:
-        """All answers as plain data, None with a reason where there is none: see `osculant.germs.report`.
-
-        >>> found = germ("x, x*y + y**3", "x y").report("A")
-        >>> found["codimension"], found["determinacy"], found["stable"], found["unfolding"]
-        (2, 3, True, [])
-        """
-        from osculant.germs.report import report
-
-        return report(self, self.group(group), progress)
 
     def proved_codimension(self, group: GroupName = None, *, extended: bool = False) -> Codimension:
         """The codimension with its proof, as `osculant.cas.germs.codimension` has it; computed once."""

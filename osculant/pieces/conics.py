@@ -19,22 +19,24 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
 from osculant.cas.errors import DomainError
+from osculant.pieces.kinds import ConicKind
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from collections.abc import Callable, Sequence
 
-    Floats = NDArray[np.float64]
+    from numpy.typing import ArrayLike
+
+    from osculant.pieces.piece import Floats
 
 Point = tuple[float, float]
-Kind = Literal["ellipse", "parabola", "hyperbola", "segment", "arc"]
 
 
-def classify(weight: float) -> Kind:
+def classify(weight: float) -> ConicKind:
     """Name the conic that has this weight.
 
     Args:
@@ -72,7 +74,7 @@ class Piece:
     (array([0., 1.]), array([-1.,  0.]), None)
     """
 
-    kind: Kind
+    kind: ConicKind
     interval: tuple[float, float]
     start: Point
     end: Point
@@ -81,8 +83,10 @@ class Piece:
     error: float
 
     def __post_init__(self) -> None:
-        if self.kind not in get_args(Kind):
-            raise DomainError(f"A piece is an {', '.join(get_args(Kind))}; {self.kind!r} is none of them.")
+        if self.kind not in get_args(ConicKind):
+            raise DomainError(
+                f"A piece is an {', '.join(get_args(ConicKind))}; {self.kind!r} is none of them."
+            )
         if not -1 < self.weight < math.inf:
             raise DomainError(
                 f"A conic arc is bounded only for a weight above -1 and finite; this one has {self.weight!r}."
@@ -107,7 +111,7 @@ class Piece:
         It must turn by less than 2π; near that its points are ill-conditioned.
 
         >>> Piece.arc((0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)).bounding_box()
-        (-1.0, 0.0, 1.0, 1.0)
+        ((-1.0, 0.0), (1.0, 1.0))
         """
         dx, dy = end[0] - start[0], end[1] - start[1]
         chord = math.hypot(dx, dy)
@@ -126,8 +130,21 @@ class Piece:
 
     @property
     def share(self) -> float:
-        """The part of the interval that belongs to the first of `arcs`."""
+        """The part of the piece that belongs to the first of `arcs`: all."""
         return 1.0
+
+    @property
+    def arc_ends(self) -> tuple[float, float]:
+        """The curve's parameters where `arcs` begin and end: the interval."""
+        return self.interval
+
+    @staticmethod
+    def together(arcs: Sequence[Piece]) -> Callable[[Any, Floats], Floats]:
+        """Return a function that evaluates many arcs at once, for arrays of their indices and of u."""
+        weights = np.array([[arc.weight] for arc in arcs])
+        rows = [(arc.start, arc.end, *arc.legs) for arc in arcs]
+        vectors = np.moveaxis(np.array(rows, dtype=np.float64), 1, 0)  # P₀, P₂, A, B, C
+        return lambda i, u: combine(u[..., None], weights[i], *(vector[i] for vector in vectors))
 
     @property
     def numbers(self) -> int:
@@ -149,6 +166,16 @@ class Piece:
             b.append(float(w * end - middle))
             c.append(float(end - start))
         return (a[0], a[1]), (b[0], b[1]), (c[0], c[1])
+
+    @property
+    def turning(self) -> float:
+        """The angle by which the tangent turns from start to end, of an arc or a segment; positive leftwards.
+
+        >>> Piece.arc((0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)).turning == math.pi
+        True
+        """
+        (ax, ay), _, (cx, cy) = self.legs
+        return 2 * math.atan2(ax * cy - ay * cx, ax * cx + ay * cy)
 
     @cached_property
     def bulge(self) -> Point:
@@ -198,11 +225,11 @@ class Piece:
         """Return n >= 2 points X(u) with u equally spaced and both ends included; shape (n, 2)."""
         return self.point(np.linspace(0.0, 1.0, n))
 
-    def bounding_box(self) -> tuple[float, float, float, float]:
-        """Return (left, bottom, right, top) from the arc's extreme points themselves, not from samples.
+    def bounding_box(self) -> tuple[Point, Point]:
+        """Return the lower and upper corners from the arc's extreme points themselves, not from samples.
 
         >>> Piece("ellipse", (0, 3), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), 0.0, 0.0).bounding_box()
-        (-1.0, 0.0, 1.0, 1.0)
+        ((-1.0, 0.0), (1.0, 1.0))
         """
         sides = []
         for axis in (0, 1):
@@ -211,7 +238,8 @@ class Piece:
                 a, b, c = (vector[axis] for vector in self.legs)
                 values += [float(self.point(r / (1 + r))[axis]) for r in _positive_roots(a, c, b)]
             sides.append((min(values), max(values)))
-        return sides[0][0], sides[1][0], sides[0][1], sides[1][1]
+        (left, right), (bottom, top) = sides
+        return (left, bottom), (right, top)
 
     def to_json(self) -> dict[str, Any]:
         """Return the piece as plain lists and numbers, as in the JSON of a spline.

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 from hypothesis import strategies as st
 
+from osculant.files.facts import usual_budget
 from osculant.pieces.conics import Piece, classify
 from osculant.spline import Spline
 
@@ -20,18 +21,24 @@ def circle(a, b, *, radius=1.0, shift=0.0, error=0.0):
     return Piece(classify(weight), (a, b), ends[0], ends[1], middle, weight, error)
 
 
-def spline_of(pieces, *, text="x(t), y(t)", tolerance=1e-6, complexity=None):
+def spline_of(pieces, *, text="x(t), y(t)", primitive="conic", tolerance=1e-6, predict=None):
     return Spline(
-        SimpleNamespace(text=text),
-        "conic",
-        "hausdorff",
-        tolerance,
-        tuple(pieces),
-        "by theory",
-        (),
-        (),
-        complexity,
+        curve=SimpleNamespace(text=text),
+        primitive=primitive,
+        metric="hausdorff",
+        rule=None,
+        tolerance=tolerance,
+        pieces=tuple(pieces),
+        minimal="by theory",
+        predict=predict,
     )
+
+
+def written(spline, writer, *, reserve=None, command=None, **options):
+    """What a writer makes of a spline, with the budget that `Spline.write` gives it."""
+    facts = spline.facts(command)
+    budget = usual_budget(spline.chain, facts) if reserve is None else reserve
+    return writer(spline.chain, facts, budget, **options)
 
 
 @st.composite
