@@ -22,6 +22,19 @@ from osculant.cli.options import (
 )
 from osculant.cli.output import Waiting, print_json
 from osculant.cli.splines import print_spline
+from osculant.primitives.table import METRICS, PRIMITIVES
+
+
+def _rules() -> str:
+    """Where there are several rules to choose from, in words."""
+    found = []
+    for primitive in (entry for table in PRIMITIVES.values() for entry in table.values()):
+        for metric in METRICS:
+            if len(rules := primitive.rules(metric)) > 1:
+                where = "" if metric == METRICS[0] else f"with --metric {metric} "
+                found.append(f"{where}for {primitive.plural} {' or '.join(rules)}")
+    return "; ".join(found)
+
 
 Tolerance = Annotated[
     str | None,
@@ -42,8 +55,7 @@ Rule = Annotated[
     typer.Option(
         "--rule",
         metavar="NAME",
-        help="How a piece is chosen: with --metric area for conics equisymmetric or minimal-area; for "
-        "bihelices equioscillating or thesis.",
+        help=f"How a piece is chosen: {_rules()}.",
     ),
 ]
 Closed = Annotated[

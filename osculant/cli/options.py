@@ -15,6 +15,7 @@ from osculant.cas.errors import OsculantError
 from osculant.cli.grammar import UsageError
 from osculant.cli.output import printable
 from osculant.files.writing import GCODE_SUFFIXES, OPTIONS, SUFFIXES, listed
+from osculant.primitives.table import METRICS, USUAL, usual_first
 
 #: what the command line calls that which the library's sentences call otherwise
 NAMES = {
@@ -40,16 +41,16 @@ Primitive = Annotated[
     str | None,
     typer.Option(
         "--with",
-        metavar="conic|parabola|biarc|bihelix|best",
-        help="The kind of pieces; in the plane conic by default, in space bihelix; best is the one with the "
-        "fewest numbers to store.",
+        metavar="|".join(dict.fromkeys([*usual_first(2), *usual_first(3), "best"])),
+        help=f"The kind of pieces; in the plane {USUAL[2]} by default, in space {USUAL[3]}; best is the one "
+        "with the fewest numbers to store.",
     ),
 ]
 Metric = Annotated[
     str,
     typer.Option(
         "--metric",
-        metavar="hausdorff|area",
+        metavar="|".join(METRICS),
         help="What an error is: a distance, or the area between curve and spline.",
     ),
 ]

@@ -10,7 +10,17 @@ from osculant.primitives.bihelix import BIHELIX
 from osculant.primitives.conic import CONIC, PARABOLA
 from osculant.primitives.primitive import METRICS, Fit, Primitive
 
-__all__ = ["METRICS", "PRIMITIVES", "USUAL", "Fit", "Primitive", "candidates", "choose", "register"]
+__all__ = [
+    "METRICS",
+    "PRIMITIVES",
+    "USUAL",
+    "Fit",
+    "Primitive",
+    "candidates",
+    "choose",
+    "register",
+    "usual_first",
+]
 
 #: by dimension of the curves and name
 PRIMITIVES: dict[int, dict[str, Primitive]] = {2: {}, 3: {}}
@@ -71,7 +81,7 @@ def choose(
 def _no_primitive(name: str, dimension: int, curve: str) -> str:
     """The sentence for a name that the table does not have in this dimension."""
     names = list(PRIMITIVES[dimension])
-    usual = [USUAL[dimension], *(other for other in names if other != USUAL[dimension])]
+    usual = usual_first(dimension)
     choices = " or ".join(filter(None, [", ".join(usual[:-1]), usual[-1]]))
     if dimension == 3:
         return (
@@ -89,6 +99,16 @@ def _no_primitive(name: str, dimension: int, curve: str) -> str:
 def _one_of(names: Iterable[str]) -> str:
     names = list(names)
     return names[0] if len(names) == 1 else f"one of {', '.join(names)}"
+
+
+def usual_first(dimension: int) -> list[str]:
+    """The names of the primitives for curves of a dimension, first what is taken if nothing is said.
+
+    >>> usual_first(2), usual_first(3)
+    (['conic', 'parabola', 'biarc'], ['bihelix'])
+    """
+    usual = USUAL[dimension]
+    return [usual, *(name for name in PRIMITIVES[dimension] if name != usual)]
 
 
 def candidates(dimension: int) -> list[str]:
