@@ -40,6 +40,7 @@ BIARC = Primitive(
     name="biarc",
     plural="biarcs",
     dimension=2,
+    arcs=("arc", "segment"),
     methods={
         "hausdorff": {"equioscillating": lambda: codes.BIARC},
         "area": {"equisymmetric": lambda: codes.EQUISYMMETRIC_BIARC},

@@ -75,6 +75,7 @@ BIHELIX = Primitive(
     name="bihelix",
     plural="bihelices",
     dimension=3,
+    arcs=("helix", "arc", "segment"),
     methods={
         "hausdorff": {
             "equioscillating": equioscillating,

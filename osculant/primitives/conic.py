@@ -10,7 +10,8 @@ from osculant.primitives.primitive import Itself, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
-    from osculant.pieces.conics import Kind, Piece, Point
+    from osculant.pieces.conics import Piece, Point
+    from osculant.pieces.kinds import ConicKind
     from osculant.pieces.piece import Floats
 
 
@@ -27,7 +28,7 @@ def parabola_piece(row: Floats, place: Place, error: float) -> Piece:
     return _arc(row, place, error, "parabola", 1.0)
 
 
-def _arc(row: Floats, place: Place, error: float, kind: Kind, weight: float) -> Piece:
+def _arc(row: Floats, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
     from osculant.pieces.conics import Piece
 
     a, b, q, _, _, x0, y0, tx, ty, x2, y2, _, reach, _, _ = row.tolist()
@@ -50,6 +51,7 @@ PARABOLA = Primitive(
     name="parabola",
     plural="parabolas",
     dimension=2,
+    arcs=("parabola", "segment"),
     methods={
         "hausdorff": {"bitangent": lambda: codes.PARABOLA},
         "area": {"bitangent": lambda: codes.AREA_PARABOLA},
@@ -65,6 +67,7 @@ CONIC = Primitive(
     name="conic",
     plural="conics",
     dimension=2,
+    arcs=("ellipse", "parabola", "hyperbola", "segment", "arc"),
     methods={
         "hausdorff": {"equioscillating": lambda: codes.CONIC},
         "area": {

@@ -45,6 +45,7 @@ class Primitive:
         name: as `osculant.approximate` takes it, and `osculant.cas.laws.table`.
         plural: as sentences say it.
         dimension: of the curves, 2 or 3.
+        arcs: the kinds of arcs that its pieces are made of (`osculant.pieces.kinds.KINDS`).
         methods: by metric and rule, the default first, what loads the method's number in the kernels; how a
             piece is chosen from those tangent to the curve at both ends.
         splits: the special points where no piece can pass, besides cusps; by form of the curve's zeros.
@@ -60,6 +61,7 @@ class Primitive:
     name: str
     plural: str
     dimension: int
+    arcs: tuple[str, ...]
     methods: Mapping[str, Mapping[str, Callable[[], int]]]
     theory: tuple[str, ...]
     itself: Itself | None

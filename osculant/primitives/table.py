@@ -18,6 +18,7 @@ __all__ = [
     "Primitive",
     "candidates",
     "choose",
+    "may_become",
     "register",
     "usual_first",
 ]
@@ -109,6 +110,17 @@ def usual_first(dimension: int) -> list[str]:
     """
     usual = USUAL[dimension]
     return [usual, *(name for name in PRIMITIVES[dimension] if name != usual)]
+
+
+def may_become(primitive: str | None) -> list[Primitive]:
+    """The entries that a spline may be of if this is asked for: several for "best", in the plane.
+
+    >>> [entry.name for entry in may_become("best")], [entry.dimension for entry in may_become("bihelix")]
+    (['parabola', 'conic', 'biarc'], [3])
+    """
+    if primitive == "best":
+        return [PRIMITIVES[2][name] for name in candidates(2)]
+    return [table[primitive] for table in PRIMITIVES.values() if primitive in table]
 
 
 def candidates(dimension: int) -> list[str]:

@@ -14,6 +14,7 @@ import osculant as osc
 from osculant.approximation.fitting import EXACT
 from osculant.cas.errors import DomainError
 from osculant.cli.main import main
+from osculant.pieces.kinds import KINDS
 from osculant.primitives.primitive import METRICS, Fit
 from osculant.primitives.table import PRIMITIVES, USUAL, candidates, choose, register, usual_first
 
@@ -52,6 +53,7 @@ def test_an_entry_is_where_it_says_and_speaks_of_forms_that_there_are(entry):
     assert PRIMITIVES[entry.dimension][entry.name] is entry
     forms = set(SPIRALS[entry.dimension].zeros.forms)
     assert {*entry.splits, *entry.theory} <= forms and not {*entry.splits} & {*entry.theory}
+    assert "segment" in entry.arcs and set(entry.arcs) <= set(KINDS)
     assert set(entry.methods) <= set(METRICS) and entry.rules(METRICS[0])
     if entry.itself is not None:
         assert set(entry.itself.forms) <= forms and entry.itself.forms
