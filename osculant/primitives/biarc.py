@@ -6,16 +6,19 @@ import math
 from typing import TYPE_CHECKING
 
 from osculant.kernels import primitives as codes
-from osculant.pieces.biarcs import Biarc
-from osculant.pieces.conics import Piece
-from osculant.primitives.primitive import Floats, Itself, Primitive, user_point
+from osculant.primitives.conic import segment
+from osculant.primitives.primitive import Itself, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
+    from osculant.pieces.biarcs import Biarc
+    from osculant.pieces.piece import Floats
 
 
 def biarc_piece(row: Floats, place: Place, error: float) -> Biarc:
     """A row of the kernel's table (`kernels.search.record`) as a biarc, or as the one arc that it is."""
+    from osculant.pieces.biarcs import Biarc
+
     a, b, _, _, _, x0, y0, tx, ty, x2, y2, x1, y1, first, second = row.tolist()
     scale, bend = place[2], place[3]
     chord = math.hypot(x1 - x0, y1 - y0)
@@ -37,6 +40,7 @@ BIARC = Primitive(
     name="biarc",
     plural="biarcs",
     dimension=2,
+    arcs=("arc", "segment"),
     methods={
         "hausdorff": {"equioscillating": lambda: codes.BIARC},
         "area": {"equisymmetric": lambda: codes.EQUISYMMETRIC_BIARC},
@@ -45,5 +49,5 @@ BIARC = Primitive(
     itself=Itself("circle", ("vertex",), lambda exact: exact.circle, turning=2 * math.pi),
     minimal="by theory",
     piece=biarc_piece,
-    segment=Piece.segment,
+    segment=segment,
 )

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from osculant.pieces.helices import HelixArc, SpacePiece, Vector
-from osculant.primitives.primitive import Floats, Itself, Primitive
+from osculant.primitives.primitive import Itself, Primitive
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.space import Place
+    from osculant.pieces.helices import HelixArc, SpacePiece, Vector
+    from osculant.pieces.piece import Floats
 
 
 def equioscillating() -> int:
@@ -32,6 +31,7 @@ def bihelix_piece(row: Floats, place: Place, error: float) -> SpacePiece:
     """A row of the kernel's table (`kernels.bihelix_spline`), which is in the user's coordinates."""
     from osculant.kernels.bihelices.helix import HELIX_SIZE
     from osculant.kernels.bihelix_spline import LEFT, RIGHT
+    from osculant.pieces.helices import SpacePiece
 
     a, b, _, _, junction = row[:5].tolist()
     arcs = tuple(helix_arc(row[first : first + HELIX_SIZE]) for first in (LEFT, RIGHT))
@@ -40,6 +40,10 @@ def bihelix_piece(row: Floats, place: Place, error: float) -> SpacePiece:
 
 def helix_arc(helix: Floats) -> HelixArc:
     """A `kernels.bihelices.helix.Helix` as a `HelixArc`: V of the thesis is minus the axis."""
+    import numpy as np
+
+    from osculant.pieces.helices import HelixArc
+
     start, tangent, inward = helix[0:3], helix[3:6], helix[9:12]
     rate, length, _, curvature, torsion = helix[12:17].tolist()
     axis = tangent
@@ -55,6 +59,8 @@ def segment(interval: tuple[float, float], start: Vector, end: Vector) -> SpaceP
     >>> segment((0.0, 1.0), (0.0, 0.0, 1.0), (0.0, 0.0, 3.0)).arcs[0].length
     2.0
     """
+    from osculant.pieces.helices import HelixArc, SpacePiece
+
     length = math.dist(start, end)
     x, y, z = ((last - first) / length for first, last in zip(start, end))
     return SpacePiece(interval, (HelixArc(start, (x, y, z), (x, y, z), 0.0, 0.0, length),), 0.0)
@@ -69,6 +75,7 @@ BIHELIX = Primitive(
     name="bihelix",
     plural="bihelices",
     dimension=3,
+    arcs=("helix", "arc", "segment"),
     methods={
         "hausdorff": {
             "equioscillating": equioscillating,

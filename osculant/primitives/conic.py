@@ -6,16 +6,19 @@ import math
 from typing import TYPE_CHECKING
 
 from osculant.kernels import primitives as codes
-from osculant.pieces.conics import Piece, classify
-from osculant.primitives.primitive import Floats, Itself, Primitive, user_point
+from osculant.primitives.primitive import Itself, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
+    from osculant.pieces.conics import Piece, Point
     from osculant.pieces.kinds import ConicKind
+    from osculant.pieces.piece import Floats
 
 
 def conic_piece(row: Floats, place: Place, error: float) -> Piece:
     """A row of the kernel's table (`kernels.search.record`) as a conic arc."""
+    from osculant.pieces.conics import classify
+
     weight = float(row[11])
     return _arc(row, place, error, classify(weight), weight)
 
@@ -26,6 +29,8 @@ def parabola_piece(row: Floats, place: Place, error: float) -> Piece:
 
 
 def _arc(row: Floats, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
+    from osculant.pieces.conics import Piece
+
     a, b, q, _, _, x0, y0, tx, ty, x2, y2, _, reach, _, _ = row.tolist()
     start, end = user_point(place, x0, y0), user_point(place, x2, y2)
     if q == 0:
@@ -35,10 +40,18 @@ def _arc(row: Floats, place: Place, error: float, kind: ConicKind, weight: float
     return Piece(kind, (a, b), start, end, middle, weight, error)
 
 
+def segment(interval: tuple[float, float], start: Point, end: Point) -> Piece:
+    """The straight piece between two points."""
+    from osculant.pieces.conics import Piece
+
+    return Piece.segment(interval, start, end)
+
+
 PARABOLA = Primitive(
     name="parabola",
     plural="parabolas",
     dimension=2,
+    arcs=("parabola", "segment"),
     methods={
         "hausdorff": {"bitangent": lambda: codes.PARABOLA},
         "area": {"bitangent": lambda: codes.AREA_PARABOLA},
@@ -47,13 +60,14 @@ PARABOLA = Primitive(
     itself=Itself("conic", ("parabolic",), lambda exact: exact.parabola, turning=math.pi),
     minimal="by theory",
     piece=parabola_piece,
-    segment=Piece.segment,
+    segment=segment,
 )
 
 CONIC = Primitive(
     name="conic",
     plural="conics",
     dimension=2,
+    arcs=("ellipse", "parabola", "hyperbola", "segment", "arc"),
     methods={
         "hausdorff": {"equioscillating": lambda: codes.CONIC},
         "area": {
@@ -65,5 +79,5 @@ CONIC = Primitive(
     itself=Itself("conic", ("sextactic",), lambda exact: exact.conic, turning=math.pi),
     minimal="by theory",
     piece=conic_piece,
-    segment=Piece.segment,
+    segment=segment,
 )

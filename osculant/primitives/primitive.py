@@ -1,25 +1,22 @@
-"""What the front door knows about a kind of pieces: the records that the files of this folder fill in."""
+"""What the front door knows about a kind of pieces: the records that the files of this folder fill in.
+
+The command line lists the table for its help: kernels, laws and numpy are imported only where they are used.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.laws import law as laws
-from osculant.cas.laws.law import Law
-from osculant.cas.laws.table import law_of
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
+    from osculant.pieces.piece import Floats
 
 #: how errors are measured, the default first
 METRICS = tuple(laws.METRICS)
-
-Floats: TypeAlias = np.ndarray[Any, Any]
-Point: TypeAlias = Sequence[float]
 
 
 @dataclass(frozen=True)
@@ -48,6 +45,7 @@ class Primitive:
         name: as `osculant.approximate` takes it, and `osculant.cas.laws.table`.
         plural: as sentences say it.
         dimension: of the curves, 2 or 3.
+        arcs: the kinds of arcs that its pieces are made of (`osculant.pieces.kinds.KINDS`).
         methods: by metric and rule, the default first, what loads the method's number in the kernels; how a
             piece is chosen from those tangent to the curve at both ends.
         splits: the special points where no piece can pass, besides cusps; by form of the curve's zeros.
@@ -63,6 +61,7 @@ class Primitive:
     name: str
     plural: str
     dimension: int
+    arcs: tuple[str, ...]
     methods: Mapping[str, Mapping[str, Callable[[], int]]]
     theory: tuple[str, ...]
     itself: Itself | None
@@ -97,8 +96,10 @@ class Fit:
         """The number of the method in the kernels, which are loaded only now."""
         return self.primitive.methods[self.metric][self.rule]()
 
-    def law(self, kind: str = "generic") -> Law:
+    def law(self, kind: str = "generic") -> laws.Law:
         """How the error of one short arc depends on its length, on a stretch of that kind."""
+        from osculant.cas.laws.table import law_of
+
         name = self.primitive.name
         return law_of(f"level {name}" if kind == "level" else name, self.metric)
 
