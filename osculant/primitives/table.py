@@ -71,10 +71,12 @@ def choose(
         raise DomainError(f"The metric {metric!r} is unknown: choose {_one_of(metrics)}.")
     rules = found.rules(metric)
     rule = rules[0] if rule is None else rule
+    if rule not in rules and len(metrics) == 1:
+        raise DomainError(f"The rule {rule!r} is unknown: choose {_one_of(rules)}.")
     if rule not in rules:
         raise DomainError(
             f"The rule {rule!r} is unknown for {primitive} and the metric {metric}: "
-            f"choose {_one_of(rules)}, or leave it out."
+            f"choose {' or '.join(rules)}, or leave it out."
         )
     return Fit(found, metric, rule)
 

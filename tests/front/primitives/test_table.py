@@ -148,5 +148,9 @@ def test_choices_that_do_not_exist():
         choose("conic", "hausdorff", dimension=3)
     with pytest.raises(DomainError, match="one of plane curves, and t, t, t has three coordinates"):
         choose("bihelix", "area", dimension=3, curve="t, t, t")
-    with pytest.raises(DomainError, match=r"'nice' is unknown .* choose one of equisymmetric, minimal-area"):
+    with pytest.raises(
+        DomainError, match=r"'nice' is unknown for .* choose equisymmetric or minimal-area, or l"
+    ):
         choose("conic", "area", "nice")
+    with pytest.raises(DomainError, match="'nice' is unknown: choose one of equioscillating, thesis"):
+        choose("bihelix", "hausdorff", "nice", dimension=3)
