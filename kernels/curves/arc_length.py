@@ -25,7 +25,7 @@ Lengths = np.ndarray[Any, Any]
 
 
 @kernel
-def workspace() -> Lengths:
+def workspace(fit: Any) -> Lengths:
     """Scratch space for `measure_lengths`, made once per spline."""
     return np.zeros((3, MANY + 3))
 
@@ -37,7 +37,7 @@ def fit(source: Source, a: float, b: float, degree: int, space: Lengths) -> floa
     values, speed, length = space[0], space[1], space[2]
     for k in range(degree + 1):
         t = middle + half * math.cos(math.pi * k / degree)
-        values[k] = half * norm(sample(source, min(b, max(a, t)))[1])
+        values[k] = half * norm(sample(source, min(b, max(a, t))).velocity)
     # cosines of multiples of π/degree, by the index modulo 2·degree
     for j in range(degree + 1):
         total = 0.5 * (values[0] + (values[degree] if j % 2 == 0 else -values[degree]))
