@@ -7,7 +7,7 @@ a module of them with common subexpressions shared.  The printed modules are com
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -63,10 +63,12 @@ def function_source(form: ClosedForm) -> str:
     return "\n".join(lines)
 
 
-def module_source(derivation: str, forms: Sequence[ClosedForm], constants: dict[str, sp.Expr]) -> str:
+def module_source(
+    derivation: str, forms: Sequence[ClosedForm], constants: Mapping[str, sp.Expr | int]
+) -> str:
     """A whole generated module: header naming the derivation and versions, constants, functions.
 
-    Constants are printed as the nearest double of their exact value.
+    Constants are printed as the nearest double of their exact value, Python's integers as they are.
     """
     import mpmath
 
@@ -79,7 +81,11 @@ def module_source(derivation: str, forms: Sequence[ClosedForm], constants: dict[
         + "import math\n\n"
         + ("import numpy as np\n\n" if uses_numpy else "")
         + "from osculant.kernels.jit import kernel",
-        "\n".join(f"{name} = {float(value)!r}  # {value}" for name, value in constants.items()),
+        "\n".join(f"{name} = {_printed(value)}" for name, value in constants.items()),
         *functions,
     ]
     return "\n\n\n".join(part.rstrip() for part in parts if part.strip()) + "\n"
+
+
+def _printed(value: sp.Expr | int) -> str:
+    return str(value) if isinstance(value, int) else f"{float(value)!r}  # {value}"

@@ -11,12 +11,12 @@ from pathlib import Path
 
 import sympy as sp
 
+from osculant.cas.formulas.sympy_bridge import to_sympy
 from osculant.cas.geometry import pencil
 from osculant.cas.invariants.plane import jet_symbols
 from osculant.cas.jets.space import SpaceJet
-from osculant.cas.laws.arcs import arc_law
-from osculant.cas.laws.complexity import LAWS, law_of
-from osculant.cas.laws.leading import area_constant, canonical_coefficients
+from osculant.cas.laws.law import METRICS, Law
+from osculant.cas.laws.table import LAWS
 from osculant.codegen.closed_forms import ClosedForm, module_source
 
 FOLDER = Path(__file__).resolve().parent.parent / "kernels" / "generated"
@@ -46,11 +46,11 @@ def pencil_module() -> str:
             {"weight": bezier["weight"], "reach": bezier["reach"]},
         ),
     ]
-    constants = {}
+    constants: dict[str, sp.Expr | int] = {}
     for primitive, crossings in (("PARABOLA", 0), ("CONIC", 1)):
         for name, value in p.lobes(crossings).items():
             constants[f"{primitive}_{name.upper()}"] = value
-    return module_source("cas/pencil.py", forms, constants)
+    return module_source("cas/geometry/pencil.py", forms, constants)
 
 
 def invariants_module() -> str:
@@ -70,32 +70,42 @@ def invariants_module() -> str:
         (*jet.x[1:], *jet.y[1:]),
         names,
     )
-    return module_source("cas/invariants.py", [form], {})
+    return module_source("cas/jets/plane.py", [form], {})
 
 
 def laws_module() -> str:
-    """The densities of the predicted number of pieces over jets of order 5, for both metrics."""
+    """The laws of `osculant.cas.laws.table`: densities of plane ones over jets of order 5, and all orders.
+
+    `law_name` begins every name: ``conic_density``, ``conic_area_density``, ``CONIC_ORDER``,
+    ``CONIC_AREA_ORDER``. Laws of space curves have no density here; their constants c are printed instead,
+    as ``BIHELIX_CONSTANT``.
+    """
     jet = jet_symbols()
-    constants = {("biarc", metric): arc_law("biarc", metric).constant for metric in ("hausdorff", "area")}
-    for crossings, primitive in enumerate(("parabola", "conic")):
-        shape, x = pencil.lobe_shape(crossings)
-        peak = sp.Abs(shape.subs(x, pencil.lobes(crossings)["first"]))
-        constants[primitive, "hausdorff"] = sp.simplify(
-            sp.Rational(canonical_coefficients()[crossings]) * peak
-        )
-        constants[primitive, "area"] = sp.Rational(area_constant(primitive))
+    laws = sorted(LAWS.values(), key=lambda law: list(METRICS).index(law.metric))
+    constants: dict[str, sp.Expr | int] = {f"{law_name(law)}_ORDER".upper(): law.order for law in laws}
     forms = []
-    for metric, name, error in (("hausdorff", "density", "ε"), ("area", "area_density", "a piece's area")):
-        for primitive in LAWS:
-            law = law_of(primitive, metric)
-            c = constants[primitive, metric]
-            density = (c * law.invariant(jet)) ** sp.Rational(1, law.order) * jet.speed
-            purpose = (
-                f"Pieces of a {primitive} spline per unit of the parameter, times {error}^(1/{law.order})."
-            )
-            arguments = (*jet.x[1:], *jet.y[1:])
-            forms.append(ClosedForm(f"{primitive}_{name}", purpose, arguments, {"density": density}))
-    return module_source("cas/complexity.py", forms, {})
+    for law in laws:
+        c = to_sympy(law.constant())
+        if 2 not in law.spaces:
+            constants[f"{law_name(law)}_CONSTANT".upper()] = c
+            continue
+        error = "ε" if law.dimension == 1 else "a piece's area"
+        purpose = (
+            f"Pieces of a {law.primitive} spline per unit of the parameter, times {error}^(1/{law.order})."
+        )
+        density = (c * law.invariant(jet)) ** sp.Rational(1, law.order) * jet.speed
+        arguments = (*jet.x[1:], *jet.y[1:])
+        forms.append(ClosedForm(f"{law_name(law)}_density", purpose, arguments, {"density": density}))
+    return module_source("cas/laws/table.py", forms, constants)
+
+
+def law_name(law: Law) -> str:
+    """What the names of a law begin with.
+
+    >>> law_name(LAWS["conic", "area"]), law_name(LAWS["level bihelix", "hausdorff"])
+    ('conic_area', 'level_bihelix')
+    """
+    return law.primitive.replace(" ", "_") + ("_area" if law.metric == "area" else "")
 
 
 def space_module() -> str:
@@ -112,7 +122,7 @@ def space_module() -> str:
         (*jet.x[1:], *jet.y[1:], *jet.z[1:]),
         results,
     )
-    return module_source("cas/space_curves.py", [form], {})
+    return module_source("cas/jets/space.py", [form], {})
 
 
 MODULES = {

@@ -13,6 +13,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from osculant.version import __version__ as __version__
+
 if TYPE_CHECKING:
     from osculant.api import approximate, complexity, curve
     from osculant.approximation.prediction import Complexity
@@ -20,11 +22,8 @@ if TYPE_CHECKING:
     from osculant.curves.plane import PlaneCurve
     from osculant.curves.space import SpaceCurve
     from osculant.germs.map_germ import MapGerm, germ
-    from osculant.space_spline import SpaceSpline
     from osculant.spline import Piece, Spline
     from osculant.thesis.verification import Verification, verify
-
-__version__ = "0.1.0"
 
 __all__ = [
     "Complexity",
@@ -35,7 +34,6 @@ __all__ = [
     "Piece",
     "PlaneCurve",
     "SpaceCurve",
-    "SpaceSpline",
     "Spline",
     "ToleranceError",
     "UndecidedError",
@@ -54,7 +52,6 @@ _HOME = {
     "complexity": "osculant.api",
     "PlaneCurve": "osculant.curves.plane",
     "SpaceCurve": "osculant.curves.space",
-    "SpaceSpline": "osculant.space_spline",
     "Complexity": "osculant.approximation.prediction",
     "Spline": "osculant.spline",
     "Piece": "osculant.spline",

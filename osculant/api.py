@@ -12,7 +12,6 @@ from osculant.curves.curve import coordinates_of
 from osculant.curves.plane import PlaneCurve
 from osculant.curves.space import SpaceCurve
 from osculant.primitives.table import choose
-from osculant.space_spline import SpaceSpline
 from osculant.spline import Spline
 
 
@@ -47,7 +46,7 @@ def approximate(
     split: str = "theory",
     split_at: Sequence[Any] = (),
     progress: Callable[[float], None] | None = None,
-) -> Spline | SpaceSpline:
+) -> Spline:
     """The tangent-continuous spline with the fewest pieces for a tolerance, or the best of a given number.
 
     Args:

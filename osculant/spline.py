@@ -1,4 +1,4 @@
-"""Splines of conic arcs or biarcs: the result of an approximation, to be evaluated, written, drawn."""
+"""Splines: the result of an approximation, to be evaluated, certified, written and drawn."""
 
 from __future__ import annotations
 
@@ -8,18 +8,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 
 from osculant import tolerances
-from osculant.cas.errors import DomainError, OsculantError
+from osculant.cas.errors import DomainError, OsculantError, UndecidedError
 from osculant.files.figures import DRAWN_POINTS, draw
 from osculant.files.writing import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
-from osculant.pieces.biarcs import Biarc
 from osculant.pieces.chain import Chain
-from osculant.pieces.conics import Kind, Piece
-from osculant.spline_facts import CurveText, Prediction, SplineFacts
+from osculant.pieces.conics import Piece
 
 if TYPE_CHECKING:
     import os
@@ -27,30 +25,55 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from osculant.certificates.splines import Certificate
-    from osculant.pieces.conics import Floats
+    from osculant.pieces.piece import Box, Floats, PieceLike
 
-__all__ = ["Biarc", "Kind", "Piece", "Spline"]
+__all__ = ["Piece", "Prediction", "Spline"]
 
 
-@dataclass(frozen=True, repr=False)
-class Spline(SplineFacts):
+class CurveText(Protocol):
+    """A curve as far as a spline needs it: something with a formula."""
+
+    @property
+    def text(self) -> str:
+        """The formula."""
+
+
+class Prediction(Protocol):
+    """What theory says about the number of pieces."""
+
+    @property
+    def predicted(self) -> float:
+        """The real number of the asymptotic formula."""
+
+    @property
+    def predicted_pieces(self) -> int:
+        """The same in whole pieces, rounded up on each stretch."""
+
+    @property
+    def predicted_error(self) -> float:
+        """The error of so many pieces as the spline has, by the same formula."""
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Spline:
     """A tangent-continuous chain of pieces that stands for a curve within a tolerance.
 
     Attributes:
-        curve: the curve approximated.
-        primitive: "parabola", "conic" or "biarc".
+        curve: the curve approximated, in the plane or in space.
+        primitive: "parabola", "conic", "biarc" or, in space, "bihelix".
         metric: "hausdorff", where errors are distances, or "area", where each error is the area between a
             piece and its arc of the curve (all regions counted positive), and `error` is their sum.
+        rule: how a piece is chosen among those tangent at both ends, as `osculant.approximate` names it;
+            None where there is nothing to choose.
         tolerance: the largest error allowed; for a given number of pieces, what is sure to be kept.
         pieces: the pieces in order; each starts where the one before ends.
         minimal: whether no spline of this primitive with a knot at every split has fewer pieces (for a given
             number of pieces: a smaller error): "proved", "by theory" (no check of its hypotheses beyond the
             isolation of special points) or "unknown". In the metric "area" among those of n pieces with
-            areas of at most tolerance/n each.
+            areas of at most tolerance/n each. Of bihelices "proved" only where every stretch between split
+            points is one piece: their error is not monotone in the length of the arc.
         undecided: parameters of knots where it could not be decided whether theory demands a split.
         splits: parameters inside the interval where theory, or the user, demanded a knot.
-        complexity: called at most once, when `predicted` or `predicted_pieces` is first asked for.
-        rule: how a piece is chosen among those tangent at both ends, as `osculant.approximate` names it.
         closed: whether it returns to where it began.
         split: "theory", or "never" if no knot was demanded where theory wants one to prove that the number
             is minimal.
@@ -58,13 +81,18 @@ class Spline(SplineFacts):
         gap: of a given number of pieces on a closed curve that may begin anywhere: by what part of itself the
             error might be smaller from another start. Else None; by tolerance ``minimal`` says all.
         choice: what each primitive takes, if the choice was left to `osculant.approximate`.
+        predict: called at most once, when `predicted` or its like is first asked for.
+        certificate: what `certify` proved; None until it is called, which alone sets it.
 
+    >>> from types import SimpleNamespace
     >>> pieces = (
     ...     Piece("parabola", (0.0, 1.0), (0.0, 0.0), (1.0, 1.0), (0.5, 0.0), 1.0, 1e-3),
     ...     Piece.segment((1.0, 2.0), (1.0, 1.0), (2.0, 3.0)),
     ... )
-    >>> from types import SimpleNamespace
-    >>> spline = Spline(SimpleNamespace(text="t, t**2"), "parabola", "hausdorff", 0.1, pieces, "unknown")
+    >>> spline = Spline(
+    ...     curve=SimpleNamespace(text="t, t**2"), primitive="parabola", metric="hausdorff", rule=None,
+    ...     tolerance=0.1, pieces=pieces, minimal="unknown",
+    ... )
     >>> len(spline), spline.knots, spline.error, spline.error_kind
     (2, [0.0, 1.0, 2.0], 0.001, 'estimate')
     >>> spline.evaluate([0.5, 1.5]).tolist()
@@ -74,36 +102,126 @@ class Spline(SplineFacts):
     curve: CurveText = field(compare=False)
     primitive: str
     metric: str
+    rule: str | None
     tolerance: float
-    pieces: tuple[Piece | Biarc, ...]
+    pieces: tuple[PieceLike, ...]
     minimal: Literal["proved", "by theory", "unknown"]
     undecided: tuple[float, ...] = ()
     splits: tuple[float, ...] = ()
-    complexity: Callable[[], Prediction] | None = field(default=None, compare=False)
-    rule: str | None = None
     closed: bool = False
     split: str = "theory"
     given: Literal["tolerance", "pieces"] = "tolerance"
     gap: float | None = None
     choice: tuple[str, ...] | None = None
-    _proofs: list[Certificate] = field(default_factory=list, init=False, compare=False)
+    predict: Callable[[], Prediction] | None = field(default=None, compare=False)
+    certificate: Certificate | None = field(default=None, init=False, compare=False)
+
+    def __len__(self) -> int:
+        """Return the number of pieces."""
+        return len(self.pieces)
+
+    def __repr__(self) -> str:
+        return (
+            f"<Spline of {self.curve.text}: {self.primitive}, {len(self)} pieces, "
+            f"error {self.error:.6g}, tolerance {self.tolerance:.6g}>"
+        )
+
+    @cached_property
+    def chain(self) -> Chain:
+        """The pieces as one curve."""
+        return Chain(self.pieces)
 
     @property
-    def certificate(self) -> Certificate | None:
-        """What `certify` proved; None if it was not called."""
-        return self._proofs[0] if self._proofs else None
+    def knots(self) -> list[float]:
+        """The parameters where pieces begin and end, one more than there are pieces."""
+        return self.chain.knots
+
+    def evaluate(self, t: ArrayLike) -> Floats:
+        """Return the spline's points at parameters of the curve.
+
+        On each arc the arc's own parameter is affine in t: a conic's, and the length of circles and helices.
+        So the result is on the spline, but in general not the foot of the curve's point at t; it may be
+        farther from that than the error.
+
+        Args:
+            t: parameters from the first knot to the last, an array of shape (m,), or of any other.
+
+        Returns:
+            Points of shape (m, dimension): t's shape with a last axis for the coordinates.
+
+        Raises:
+            DomainError: a parameter outside.
+        """
+        return self.chain.evaluate(t)
+
+    def sample(self, n: int) -> Floats:
+        """Return n >= 2 points on each piece, knots once; shape (N(n−1)+1, dimension) for N pieces."""
+        return self.chain.sample(n)
+
+    def bounding_box(self) -> Box:
+        """Return the lower and upper corners of the box around the pieces, from the extreme points."""
+        return self.chain.bounding_box()
+
+    def max_tangent_jump(self) -> float:
+        """Return the largest angle in radians between tangent lines where arcs meet, at cusps 0 too."""
+        return self.chain.max_tangent_jump()
+
+    @property
+    def cusps(self) -> list[float]:
+        """The knots where the direction of the tangent is reversed."""
+        return self.chain.cusps
+
+    @property
+    def numbers(self) -> int:
+        """How many numbers store it: the coordinates of its start, and those of each piece from there on.
+
+        In the plane a segment takes 2, an arc of a circle 3 (its end and a bulge), a parabola 4 (two control
+        points), a conic 5 (a weight besides), a biarc 6; in space a segment takes 3, an arc of a circle 5, a
+        helix 6, a bihelix 12.
+        """
+        return self.chain.numbers
+
+    @property
+    def errors(self) -> list[float]:
+        """The error of each piece, as estimated."""
+        return [float(piece.error) for piece in self.pieces]
+
+    @property
+    def _proved(self) -> float | None:
+        """The certified upper bound of the error, None if there is none."""
+        if self.certificate is None or not math.isfinite(self.certificate.upper):
+            return None
+        return self.certificate.upper
+
+    @property
+    def error(self) -> float:
+        """The largest error of a piece, in the metric "area" the sum; certified, the proved upper bound."""
+        if self._proved is not None:
+            return self._proved
+        return math.fsum(self.errors) if self.metric == "area" else max(self.errors)
+
+    @property
+    def error_kind(self) -> Literal["estimate", "exact", "certified"]:
+        """What `error` is: "certified" if it is a proved upper bound, else an "estimate".
+
+        It is "exact" if every piece is a part of the curve itself, to the rounding of its numbers.
+        """
+        if self._proved is not None:
+            return "certified"
+        return "estimate" if self.error > 0 else "exact"
 
     def certify(self, progress: Callable[[float], None] | None = None) -> Certificate:
         """Enclose the error of every piece in ball arithmetic, as `osculant.certificates.splines` says.
 
-        The certificate is remembered: `certificate` and `to_json` have it, and `error` is its upper bound,
-        with the `error_kind` "certified", if there is one.
+        The first call sets `certificate`, the one thing about a spline that changes: from then on `error` is
+        the proved upper bound, with the `error_kind` "certified", if there is one, and `to_json` has it.
 
         Args:
             progress: called with the part of the pieces done, 0…1.
 
         Raises:
-            DomainError: the metric "area", for which there are no certificates; a curve without formula.
+            DomainError: the metric "area" or a curve in space, for which there are no certificates; a curve
+                without formula.
 
         >>> import osculant as osc
         >>> spline = osc.approximate(osc.curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic", 1e-4)
@@ -111,7 +229,7 @@ class Spline(SplineFacts):
         >>> proof.within, spline.error_kind, proof.upper < (1 + 1e-5) * proof.lower
         (True, 'certified', True)
         """
-        if not self._proofs:
+        if self.certificate is None:
             from osculant.certificates.splines import certify
             from osculant.curves.plane import PlaneCurve
 
@@ -119,99 +237,90 @@ class Spline(SplineFacts):
                 raise DomainError(
                     f"Errors in the metric {self.metric!r} cannot be certified: choose 'hausdorff'."
                 )
+            if self.chain.dimension == 3:
+                raise DomainError(
+                    f"The spline of {self.curve.text} is in space, and only errors in the plane can be "
+                    "certified: leave out the third coordinate."
+                )
             if not isinstance(self.curve, PlaneCurve):
                 raise DomainError(
                     f"Of {self.curve.text} only the text is known: certify what approximate returns."
                 )
-            self._proofs.append(certify(self.curve, self.pieces, self.tolerance, progress))
-        return self._proofs[0]
+            proof = certify(self.curve, self.pieces, self.tolerance, progress)
+            object.__setattr__(self, "certificate", proof)
+        assert self.certificate is not None
+        return self.certificate
 
     @cached_property
-    def _chain(self) -> Chain:
-        return Chain(self.pieces)
-
-    def evaluate(self, t: ArrayLike) -> Floats:
-        """Return the spline's points at parameters of the curve.
-
-        Within a piece the conic's own parameter is the affine fraction of the piece's interval; a biarc's
-        interval is divided by the lengths of its arcs. So the result
-        is on the spline, but in general not the foot of the curve's point at t; it may be farther from that
-        than the error.
-
-        Args:
-            t: parameters from the first knot to the last, an array of shape (m,), or of any other.
-
-        Returns:
-            Points of shape (m, 2): t's shape with a last axis of length 2.
-
-        Raises:
-            DomainError: a parameter outside.
-        """
-        at, knots, i = self._places(t)
-        return self._chain.points(i, (at - knots[i]) / (knots[i + 1] - knots[i]))
-
-    def sample(self, n: int) -> Floats:
-        """Return n >= 2 points on each piece, as `Piece.sample`, knots once; shape (N(n−1)+1, 2)."""
-        i, u = np.broadcast_arrays(np.arange(len(self))[:, None], np.linspace(0.0, 1.0, n)[None, 1:])
-        points = self._chain.points(i, u)
-        return np.concatenate([np.array([self.pieces[0].start]), points.reshape(-1, 2)])
-
-    def bounding_box(self) -> tuple[float, float, float, float]:
-        """Return (left, bottom, right, top) of the pieces, from the extreme points themselves."""
-        boxes = [piece.bounding_box() for piece in self.pieces]
-        left, bottom, right, top = zip(*boxes)
-        return min(left), min(bottom), max(right), max(top)
-
-    def max_tangent_jump(self) -> float:
-        """Return the largest angle in radians between the tangent lines of consecutive pieces at their knot.
-
-        Lines have no direction: a cusp, where the tangent is reversed, counts as continuous here, and is
-        listed by `cusps`.
-        """
-        return max((math.atan2(abs(cross), abs(dot)) for _, cross, dot in self._turns()), default=0.0)
+    def _prediction(self) -> Prediction | None:
+        if self.predict is None:
+            return None
+        try:
+            return self.predict()
+        except UndecidedError:  # an integral that did not settle is no reason to lose the spline
+            return None
 
     @property
-    def cusps(self) -> list[float]:
-        """The knots where the direction of the tangent is reversed."""
-        return [knot for knot, _, dot in self._turns() if dot < 0]
+    def predicted(self) -> float | None:
+        """The number of pieces that theory predicts, as a real number; None if that is unknown."""
+        return None if self._prediction is None else self._prediction.predicted
 
-    def _turns(self) -> list[tuple[float, float, float]]:
-        """Return each inner knot with the sine and cosine of the tangent's angle there."""
-        result = []
-        for before, after in zip(self.pieces, self.pieces[1:]):
-            (ax, ay), (bx, by) = before.tangent(1.0).tolist(), after.tangent(0.0).tolist()
-            result.append((float(after.interval[0]), ax * by - ay * bx, ax * bx + ay * by))
-        return result
+    @property
+    def predicted_pieces(self) -> int | None:
+        """The same in whole pieces, rounded up on each stretch; None if that is unknown."""
+        return None if self._prediction is None else self._prediction.predicted_pieces
+
+    @property
+    def predicted_error(self) -> float | None:
+        """The error that theory predicts for so many pieces; None if that is unknown."""
+        return None if self._prediction is None else self._prediction.predicted_error
 
     def to_json(self) -> dict[str, Any]:
         """Return the spline as plain dictionaries, lists and numbers.
 
-        Keys: "primitive", "rule", "closed", "split", "given", "gap", "choice" (null where they do not apply),
-        "metric", "tolerance", "pieces" (their number), "knots", "error", "error_kind", "errors", "predicted",
-        "predicted_pieces", "predicted_error" (null where unknown or not finite), "minimal", "undecided",
-        "segments" (the pieces: "kind", "interval", "points" with null for a control point at infinity,
-        "weight", "error", and "middle", the homogeneous control point; of biarcs what `Biarc.to_json` says),
-        "certificate" (`Certificate.to_json`; null: none was asked for); further "curve" (the formula),
-        "splits" and "cusps" (parameters).
+        Keys: "curve" (the formula), "primitive", "rule", "closed", "split", "given", "gap", "choice" (null
+        where they do not apply), "metric", "tolerance", "pieces" (their number), "knots", "error",
+        "error_kind", "errors", "predicted", "predicted_pieces", "predicted_error" (null where unknown or not
+        finite), "minimal", "undecided", "splits" and "cusps" (parameters), "segments" (the pieces, as
+        `Piece.to_json`, `Biarc.to_json` or `SpacePiece.to_json` says), "certificate" (`Certificate.to_json`;
+        null: none was asked for).
         """
-        return self._json(self.cusps)
-
-    @property
-    def numbers(self) -> int:
-        """How many numbers store it: two for where it begins, and those of each piece from there on.
-
-        A segment takes 2, an arc of a circle 3 (its end and a bulge), a parabola 4 (two control points), a
-        conic 5 (a weight besides), a biarc 6.
-        """
-        return 2 + sum(piece.numbers for piece in self.pieces)
+        predicted = self.predicted
+        finite = predicted is not None and math.isfinite(predicted)
+        return {
+            "curve": self.curve.text,
+            "primitive": self.primitive,
+            "rule": self.rule,
+            "closed": self.closed,
+            "split": self.split,
+            "given": self.given,
+            "gap": self.gap,
+            "choice": None if self.choice is None else list(self.choice),
+            "metric": self.metric,
+            "tolerance": float(self.tolerance),
+            "pieces": len(self),
+            "knots": self.knots,
+            "error": self.error,
+            "error_kind": self.error_kind,
+            "errors": self.errors,
+            "predicted": predicted if finite else None,
+            "predicted_pieces": self.predicted_pieces if finite else None,
+            "predicted_error": self.predicted_error if finite else None,
+            "minimal": self.minimal,
+            "undecided": list(map(float, self.undecided)),
+            "splits": list(map(float, self.splits)),
+            "cusps": self.cusps,
+            "segments": [piece.to_json() for piece in self.pieces],
+            "certificate": None if self.certificate is None else self.certificate.to_json(),
+        }
 
     @property
     def reserve(self) -> float:
         """How far what is written may be from the pieces: what the tolerance leaves, if it is little."""
-        rounding = math.ulp(max(map(abs, self.bounding_box())))
+        rounding = math.ulp(self.chain.largest)
         length = 1.0
         if self.metric == "area":  # of a strip along both curves
-            length = 2 * float(np.hypot(*np.diff(self.sample(DRAWN_POINTS), axis=0).T).sum())
+            length = 2 * float(np.linalg.norm(np.diff(self.sample(DRAWN_POINTS), axis=0), axis=1).sum())
         left = max(0.0, self.tolerance - self.error)
         return min(tolerances.reserve(self.tolerance, rounding * length), left) / length
 
@@ -227,26 +336,22 @@ class Spline(SplineFacts):
         """Write the spline to a file, whole or not at all; its suffix says how.
 
         Args:
-            path: ".svg" writes a picture (`files.svg`), ".json" what `to_json` returns; of biarcs also
-                G-code (".nc", ".gcode" or ".ngc", `osculant.files.gcode`) and ".dxf" (`osculant.files.dxf`).
-            reserve: how far what is written may be from the pieces; by default as `osculant.files.svg` and
-                `osculant.files.gcode` say. JSON and DXF hold every number exactly.
+            path: ".svg" writes a picture (`files.svg`) of a spline in the plane, ".json" what `to_json`
+                returns; of biarcs and bihelices also G-code (".nc", ".gcode" or ".ngc",
+                `osculant.files.gcode`) and ".dxf" (`osculant.files.dxf`).
+            reserve: how far what is written may be from the pieces, chords for helices aside; by default as
+                `osculant.files.svg` and `osculant.files.gcode` say. JSON and DXF hold every number exactly.
             decimals: of G-code.
             units: of G-code and DXF; by default none are written.
-            command: the command line that made the spline, recorded in a picture's description.
+            command: the command line that made the spline, recorded in the file.
 
         Raises:
             OsculantError: an unknown suffix, or a file that cannot be written.
             ToleranceError: a reserve too small for the digits, or decimals too few for the reserve.
-
-        >>> Spline.write(None, "spiral.png")
-        Traceback (most recent call last):
-        ...
-        osculant.cas.errors.OsculantError: Cannot write spiral.png: the known suffixes are .svg, .json, .nc,
-        .gcode, .ngc and .dxf; plot() makes pictures of other kinds.
         """
         suffix = Path(path).suffix.lower()
-        if suffix == ".svg":
+        flat = self.chain.dimension == 2
+        if suffix == ".svg" and flat:
             from osculant.files.svg import svg
 
             write_whole(path, svg(self, reserve=reserve, command=command))
@@ -259,11 +364,17 @@ class Spline(SplineFacts):
 
             write_whole(path, dxf(self, units=units, command=command))
         elif suffix == ".json":
-            write_whole(path, json.dumps(self.to_json(), indent=1, allow_nan=False) + "\n")
-        else:
+            data = self.to_json() | ({} if flat or command is None else {"command": command})
+            write_whole(path, json.dumps(data, indent=1, allow_nan=False) + "\n")
+        elif flat:
             raise OsculantError(
                 f"Cannot write {Path(path)}: the known suffixes are {listed(SUFFIXES)}; "
                 "plot() makes pictures of other kinds."
+            )
+        else:
+            raise OsculantError(
+                f"Cannot write {Path(path)}: a spline in space is written as "
+                f"{listed([s for s in SUFFIXES if s != '.svg'])}; plot() makes pictures of other kinds."
             )
 
     def plot(self, path: str | os.PathLike[str] | None = None, axes: Any = None) -> Any:
@@ -271,7 +382,7 @@ class Spline(SplineFacts):
 
         Args:
             path: a file to draw to, of any kind that matplotlib knows by its suffix.
-            axes: matplotlib axes to draw in; new ones by default.
+            axes: matplotlib axes to draw in, for a spline in space of the projection "3d"; new by default.
 
         Returns:
             The axes.
@@ -279,4 +390,5 @@ class Spline(SplineFacts):
         Raises:
             OsculantError: matplotlib is not installed, or does not know the suffix, or cannot write the file.
         """
-        return draw(self.sample(DRAWN_POINTS), self._title, path, axes)
+        title = f"{self.curve.text}\n{len(self)} pieces ({self.primitive}), error {self.error:.3g}"
+        return draw(self.sample(DRAWN_POINTS), title, path, axes)

@@ -30,8 +30,9 @@ import sympy as sp
 from osculant.cas.asymptotics.arc_displacement import peak_spread
 from osculant.cas.errors import DomainError, UndecidedError
 
-#: order of the error in the arc's length
-ORDERS = {"parabola": 4, "conic": 5}
+#: how often the approximation crosses the arc inside; with the contacts at both ends, twofold, that many
+#: conditions make the order of the error
+CROSSINGS = {"parabola": 0, "conic": 1}
 #: the number of terms removed, the first arc count used, and the step between counts
 TERMS, FIRST, STEP = 11, 6, 4
 
@@ -56,9 +57,9 @@ def model(primitive: str) -> tuple[Any, tuple[Any, Any, Any, Any]]:
 
 
 def _order(primitive: str) -> int:
-    if primitive not in ORDERS:
+    if primitive not in CROSSINGS:
         raise DomainError(f"End corrections are known for 'parabola' and 'conic', not for {primitive!r}.")
-    return ORDERS[primitive]
+    return 4 + CROSSINGS[primitive]
 
 
 @cache
@@ -114,7 +115,7 @@ def _conditions(primitive: str) -> tuple[Callable[..., Any], Any]:
     """The equations of an arc from a of length h with error 1, in (h, peaks…, q), and ρ₀/u^{1/p}."""
     d, (m, e, q, x) = model(primitive)
     value, slope = (sp.lambdify((m, e, q, x), f, "mpmath") for f in (d, sp.diff(d, x)))
-    order = ORDERS[primitive]
+    order = _order(primitive)
     peak = 0 if primitive == "parabola" else 1 / sp.sqrt(peak_spread())
     # the leading error is linear in the middle m; e is half the length
     leading = d.subs(q, 0).coeff(m, 1).subs({x: peak, e: sp.Rational(1, 2)})

@@ -16,8 +16,9 @@ from flint import arb
 
 from osculant.cas.asymptotics.hermite_cubics import CONTACTS, affine_jet, branches
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.laws.complexity import double_exponential
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
+from osculant.cas.jets.balls import CurveBalls
+from osculant.cas.numbers.balls import PRECISION, precision
+from osculant.cas.numbers.quadrature import double_exponential
 
 #: a root of the quartic whose imaginary part is below this part of its modulus counts as real
 REAL = 1e-12

@@ -24,8 +24,8 @@ __all__ = [
     "select",
 ]
 
-#: near names offered for one that is unknown
-OFFERED = 3
+#: near names offered for one that is unknown, and what has all
+OFFERED, LISTING = 3, "osculant.cas.claims.all_claims()"
 
 
 def all_claims() -> tuple[Claim, ...]:
@@ -59,7 +59,8 @@ def select(names: Sequence[str], chapter: str | None = None) -> list[Claim]:
     >>> select(["Riemann"])
     Traceback (most recent call last):
     ...
-    osculant.cas.errors.DomainError: No claim is called 'Riemann': `osculant verify --list` shows the names.
+    osculant.cas.errors.DomainError: No claim is called 'Riemann': osculant.cas.claims.all_claims() shows the
+    names.
     """
     known = all_claims()
     chosen = list(known)
@@ -75,7 +76,9 @@ def select(names: Sequence[str], chapter: str | None = None) -> list[Claim]:
         matching = {claim.name for claim in chosen if means(name, claim, below=True)}
         if not matching:
             within = "" if chapter is None else f" in chapter {chapter}"
-            raise DomainError(f"No claim{within} is called {name!r}: {_offer(name, chosen)}")
+            raise DomainError(
+                f"No claim{within} is called {name!r}: {_offer(name, chosen)}", argument=LISTING
+            )
         found |= matching
     return [claim for claim in chosen if claim.name in found]
 
@@ -104,7 +107,7 @@ def _offer(name: str, claims: Sequence[Claim]) -> str:
     near += [names[plain] for plain in get_close_matches(wanted, names, OFFERED)]
     near += [numbers[plain] for plain in get_close_matches(_number(wanted), numbers, OFFERED)]
     nearest = [repr(full) for full in dict.fromkeys(near)][:OFFERED]
-    return f"did you mean {' or '.join(nearest)}?" if nearest else "`osculant verify --list` shows the names."
+    return f"did you mean {' or '.join(nearest)}?" if nearest else f"{LISTING} shows the names."
 
 
 def _plain(name: str) -> str:

@@ -2,25 +2,22 @@
 
 A `Node` is a number (an exact rational), one of the constants pi and e, a variable, or an operation on one
 or two nodes. The constructors fold rationals exactly and do nothing else, so that a graph has the shape of
-the formula that it came from. Every number is bounded: numerator and denominator have at most
-`osculant.cas.formulas.rationals.BITS` bits. Nothing here recurses: graphs may be as deep as memory allows.
+the formula that it came from; `to_text` writes it out again. Every number is bounded: numerator and
+denominator have at most `osculant.cas.formulas.rationals.BITS` bits. Nothing here recurses: graphs may be as
+deep as memory allows.
 """
 
 from __future__ import annotations
 
 import re
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from weakref import WeakValueDictionary
 
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.formulas.rationals import bounded, exact_power, exact_root, shown
-from osculant.cas.formulas.text import to_text
-
-if TYPE_CHECKING:
-    import sympy
 
 _CIRCULAR = {"sin", "cos", "tan", "asin", "acos", "atan"}
 FUNCTIONS = frozenset(_CIRCULAR | {name + "h" for name in _CIRCULAR} | {"exp", "log", "sqrt", "cbrt", "abs"})
@@ -38,6 +35,14 @@ _DOMAINS: dict[str, tuple[Callable[[Fraction], bool], str]] = {
     "acosh": (lambda q: q >= 1, "numbers that are at least 1"),
     "atanh": (lambda q: abs(q) < 1, "numbers in (-1, 1)"),
 }
+
+#: characters that `to_text` writes at most
+TEXT_LIMIT = 200_000
+
+# How tightly a printed node holds together, as in the parser's grammar.
+_SUM, _PRODUCT, _SIGNED, _POWER, _ATOM = range(1, 6)
+_LEVELS = {"add": _SUM, "sub": _SUM, "mul": _PRODUCT, "div": _PRODUCT, "neg": _SIGNED, "pow": _POWER}
+_SIGNS = {"add": " + ", "sub": " - ", "mul": "*", "div": "/"}
 
 
 class Node:
@@ -275,31 +280,60 @@ def call(name: str, argument: Node) -> Node:
     return _node("call", (argument,), name)
 
 
-def to_sympy(node: Node, symbols: Mapping[str, sympy.Expr] | None = None) -> sympy.Expr:
-    """The same expression in sympy; variables become real symbols, or what `symbols` gives for their names.
+def _level(node: Node) -> int:
+    if node.kind == "number":
+        if node.value.denominator > 1:
+            return _PRODUCT if node.value > 0 else _SUM
+        return _ATOM if node.value >= 0 else _SIGNED
+    if node.kind == "pow" and node.value == Fraction(1, 2):
+        return _ATOM
+    return _LEVELS.get(node.kind, _ATOM)
 
-    cbrt becomes `osculant.cas.formulas.sympy_bridge.cbrt`. DomainError if sympy finds that the expression is
-    nowhere finite and real; FormulaError if a constant in it is beyond 2**BITS or 2**-BITS, or too deep for
-    sympy.
 
-    >>> to_sympy(variable("t") / 2 + PI)
-    t/2 + pi
+def to_text(node: Node) -> str:
+    """Infix text that `parser.parse` reads back as this very node (within the parser's limits).
+
+    FormulaError if the text is longer than `TEXT_LIMIT` characters, as it may be where much is shared.
+
+    >>> t = variable("t")
+    >>> to_text(-(t - 1) ** 2 / call("sqrt", t + Fraction(1, 3)))
+    '-(t - 1)**2/sqrt(t + 1/3)'
     """
-    from osculant.cas.formulas import sympy_bridge
+    out: list[str] = []
+    length = 0
+    stack: list[str | Node] = [node]
+    while stack:
+        item = stack.pop()
+        pieces = [item] if isinstance(item, str) else _pieces(item)
+        if len(pieces) == 1 and isinstance(pieces[0], str):
+            out.append(pieces[0])
+            length += len(pieces[0])
+            if length > TEXT_LIMIT:
+                raise FormulaError(f"The expression needs more than {TEXT_LIMIT} characters written out.")
+        else:
+            stack.extend(reversed(pieces))
+    return "".join(out)
 
-    return sympy_bridge.to_sympy(node, symbols)
 
+def _pieces(node: Node) -> list[str | Node]:
+    """A node's text, with its arguments still to be written."""
 
-def from_sympy(expression: object) -> Node:
-    """The node of a sympy or symengine expression, or of an int, float or Fraction; never of text.
+    def at(level: int, argument: Node) -> list[str | Node]:
+        return [argument] if _level(argument) >= level else ["(", argument, ")"]
 
-    A float is read as the rational that its shortest decimal form writes. FormulaError for anything that is
-    not built of the operations and functions of this module.
-
-    >>> import sympy
-    >>> print(from_sympy(sympy.sin(sympy.Symbol("t")) / 2))
-    1/2*sin(t)
-    """
-    from osculant.cas.formulas import sympy_bridge
-
-    return sympy_bridge.from_sympy(expression)
+    if node.kind in _SIGNS:
+        level = _level(node)
+        left, right = node.args
+        # A right operand must hold tighter than its operator; a sign there is set in parentheses.
+        tight = _POWER if level == _PRODUCT or _level(right) == _SIGNED else _PRODUCT
+        return [*at(level, left), _SIGNS[node.kind], *at(tight, right)]
+    if node.kind == "neg":
+        return ["-", *at(_POWER, node.args[0])]
+    if node.kind == "call":
+        return [f"{node.value}(", node.args[0], ")"]
+    if node.kind == "pow":
+        if node.value == Fraction(1, 2):
+            return ["sqrt(", node.args[0], ")"]
+        exponent = str(node.value)
+        return [*at(_ATOM, node.args[0]), f"**{exponent}" if exponent.isdigit() else f"**({exponent})"]
+    return [str(node.value) if node.value is not None else node.kind]

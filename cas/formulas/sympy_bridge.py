@@ -80,7 +80,14 @@ _INFINITE = {sympy.zoo, sympy.nan, sympy.oo, -sympy.oo}
 
 
 def to_sympy(node: Node, symbols: Mapping[str, sympy.Expr] | None = None) -> sympy.Expr:
-    """See `osculant.cas.formulas.expression.to_sympy`."""
+    """The same expression in sympy; variables become real symbols, or what `symbols` gives for their names.
+
+    cbrt becomes the function of that name here. DomainError if sympy finds that the expression is nowhere
+    finite and real; FormulaError if a constant in it is beyond 2**BITS or 2**-BITS, or too deep for sympy.
+
+    >>> to_sympy(ex.variable("t") / 2 + ex.PI)
+    t/2 + pi
+    """
     given = symbols or {}
 
     def rule(node: Node, args: list[Any]) -> Any:
@@ -146,7 +153,14 @@ def _check_magnitude(constant: Any) -> None:
 
 
 def from_sympy(expression: object) -> Node:
-    """See `osculant.cas.formulas.expression.from_sympy`."""
+    """The node of a sympy or symengine expression, or of an int, float or Fraction; never of text.
+
+    A float is read as the rational that its shortest decimal form writes. FormulaError for anything that is
+    not built of the operations and functions of `osculant.cas.formulas.expression`.
+
+    >>> print(from_sympy(sympy.sin(sympy.Symbol("t")) / 2))
+    1/2*sin(t)
+    """
     if isinstance(expression, Node):
         return expression
     if isinstance(expression, (int, float, Fraction)):

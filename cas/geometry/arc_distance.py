@@ -71,7 +71,7 @@ def distance(curve: Coefficients, low: Any, high: Any, arc: ConicArc, tolerance:
 
     Returns the enclosure; its upper bound is infinite where the curve has no finite series.
 
-    >>> from osculant.cas.numbers.balls import CurveBalls
+    >>> from osculant.cas.jets.balls import CurveBalls
     >>> from osculant.cas.formulas.parser import parse_tuple
     >>> circle = CurveBalls(parse_tuple("cos(t), sin(t)"))
     >>> chord = ConicArc((-1.0, 0.0), (0.0, 0.0), (1.0, 0.0), 1.0)
@@ -121,7 +121,7 @@ def from_point(curve: Coefficients, at: Any, arc: ConicArc, foot: float = 0.5) -
         arc: the conic arc.
         foot: about where the nearest point of the arc is.
 
-    >>> from osculant.cas.numbers.balls import CurveBalls
+    >>> from osculant.cas.jets.balls import CurveBalls
     >>> from osculant.cas.formulas.parser import parse_tuple
     >>> unit = CurveBalls(parse_tuple("t, 1")).coefficients
     >>> from_point(unit, arb(0), ConicArc((-1.0, 0.0), (0.0, 0.0), (1.0, 0.0), 1.0)) > 1 - 1e-5

@@ -117,8 +117,8 @@ def lobe_shape(crossings: int) -> tuple[sp.Expr, sp.Symbol]:
 def lobes(crossings: int) -> dict[str, sp.Expr]:
     """Peaks of the leading error x²(1−x)² (parabola) or x²(1−x)²(x−1/2) (conic) on [0, 1].
 
-    Returns the positions ``first`` and ``last`` of the outermost peaks, and ``sharpness``, the
-    value of −d″/d there (equal at all peaks).
+    Returns the positions ``first`` and, if there are two, ``last`` of the peaks, and ``sharpness``, the value
+    of −d″/d there (equal at all peaks).
 
     >>> lobes(1)["sharpness"], lobes(0)["sharpness"]
     (50, 16)
@@ -127,4 +127,5 @@ def lobes(crossings: int) -> dict[str, sp.Expr]:
     inner = sorted(root for root in sp.solve(sp.diff(shape, x), x) if shape.subs(x, root) != 0)
     sharp = {sp.simplify((-sp.diff(shape, x, 2) / shape).subs(x, root)) for root in inner}
     (sharpness,) = sharp
-    return {"first": inner[0], "last": inner[-1], "sharpness": sharpness}
+    places = dict(zip(("first", "last"), inner, strict=False))
+    return {**places, "sharpness": sharpness}

@@ -17,9 +17,8 @@ from fractions import Fraction
 
 from flint import fmpq, fmpq_mat
 
-from osculant.cas.formulas.expression import Node, number, variable
+from osculant.cas.formulas.expression import Node, number, to_text, variable
 from osculant.cas.formulas.graph import substitute
-from osculant.cas.formulas.text import to_text
 from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version

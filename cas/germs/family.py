@@ -10,7 +10,7 @@ from typing import Any, cast
 from flint import fmpq, fmpq_poly
 
 from osculant.cas.errors import DomainError
-from osculant.cas.formulas.text import to_text
+from osculant.cas.formulas.expression import to_text
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ, as_node
 from osculant.cas.germs.polynomials import LARGEST, Number, Polynomial

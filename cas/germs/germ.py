@@ -8,10 +8,9 @@ from functools import lru_cache
 from typing import Any
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.formulas.expression import Node, call, number, power, variable
+from osculant.cas.formulas.expression import Node, call, number, power, to_text, variable
 from osculant.cas.formulas.graph import fold, topological, variables
 from osculant.cas.formulas.parser import parse_tuple
-from osculant.cas.formulas.text import to_text
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.polynomials import LARGEST, Number, Polynomial
 from osculant.cas.numbers.fields import ExactNumbers

@@ -13,20 +13,9 @@ from math import gcd, lcm
 import sympy
 
 from osculant.cas.errors import DomainError
-from osculant.cas.formulas.expression import (
-    ONE,
-    PI,
-    Node,
-    call,
-    div,
-    from_sympy,
-    mul,
-    neg,
-    number,
-    power,
-    to_sympy,
-)
+from osculant.cas.formulas.expression import ONE, PI, Node, call, div, mul, neg, number, power
 from osculant.cas.formulas.graph import topological
+from osculant.cas.formulas.sympy_bridge import from_sympy, to_sympy
 from osculant.cas.invariants.differential_field import Element, Field
 
 #: multiples of a common angle that are still expanded

@@ -16,7 +16,8 @@ import sympy
 from sympy.printing.str import StrPrinter
 
 from osculant.cas.errors import UndecidedError
-from osculant.cas.formulas.expression import Node, to_sympy
+from osculant.cas.formulas.expression import Node
+from osculant.cas.formulas.sympy_bridge import to_sympy
 from osculant.cas.invariants.antiderivatives import antiderivative
 from osculant.cas.invariants.differential_field import Element
 from osculant.cas.invariants.elementary import embed

@@ -15,7 +15,6 @@ from itertools import pairwise
 from typing import Any
 
 import sympy as sp
-from flint import arb
 
 from osculant.cas.asymptotics.arc_splines import (
     KAPPA,
@@ -28,15 +27,7 @@ from osculant.cas.asymptotics.arc_splines import (
     vertex_biarc,
     x,
 )
-from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.laws.complexity import double_exponential
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
-
-#: digits of a constant that is turned into a ball: more than `PRECISION` bits
-DIGITS = 110
-#: a quadrature whose last halving of the step changes the value by more than this has not settled
-SETTLED = 1e-8
+from osculant.cas.errors import DomainError
 
 _SHAPES: dict[str, Callable[[], Displacement]] = {
     "polygon": chord,
@@ -81,36 +72,6 @@ class ArcLaw:
         return sp.root(self.constant, self.order) ** (self.order * self.rate) * integral ** (
             self.order * self.rate
         )
-
-    def complexity(self, curve: CurveBalls, low: Any, high: Any) -> Any:
-        """C over one stretch [low, high] where κ⁽ⁱ⁾ is not 0 inside: a number to about 20 digits.
-
-        Raises UndecidedError if the quadrature does not settle.
-
-        >>> from osculant.cas.formulas.parser import parse_tuple
-        >>> spiral = CurveBalls(parse_tuple("t*cos(t), t*sin(t)"))
-        >>> with precision(PRECISION):
-        ...     value = arc_law("biarc").complexity(spiral, arb.pi() / 6, 2 * arb.pi())
-        >>> round(float(value), 6)
-        0.909416
-        """
-        with precision(PRECISION):
-            value, change = double_exponential(
-                lambda t: self._density(curve.jet(t, self.derivative + 2)), low, high
-            )
-            if change > SETTLED * abs(float(value)):
-                raise UndecidedError(
-                    f"The complexity integral did not settle on [{float(low):.6g}, "
-                    f"{float(high):.6g}]: split it."
-                )
-            scale = arb(str(sp.N(self.count_constant(1), DIGITS)))
-            power = self.order * self.rate
-            return scale * value ** (arb(int(power.p)) / int(power.q))
-
-    def _density(self, jet: PlaneJet) -> Any:
-        names = ("curvature", "curvature_slope", "curvature_bend")
-        value = abs(getattr(jet, names[self.derivative]))
-        return (value.root(self.order) * jet.speed if value > 0 else arb(0) * jet.speed).mid()
 
 
 @cache

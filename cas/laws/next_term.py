@@ -27,9 +27,10 @@ from osculant.cas.asymptotics.arc_displacement import KAPPA
 from osculant.cas.asymptotics.end_corrections import end_correction
 from osculant.cas.asymptotics.short_arcs import arc_error, rational_function
 from osculant.cas.errors import DomainError
-from osculant.cas.laws.complexity import integral
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
+from osculant.cas.jets.balls import CurveBalls
+from osculant.cas.numbers.balls import PRECISION, precision
 from osculant.cas.numbers.power_series import PowerSeries, power
+from osculant.cas.numbers.quadrature import integral
 from osculant.cas.zeros.isolate import taylor_form
 from osculant.cas.zeros.plane import FORMS
 

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import cache, partial
+from functools import cache
 from typing import Any, Generic, TypeVar
 
 from flint import arb, arb_series, ctx
 
 from osculant.cas.formulas.expression import Node
-from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.fields import Balls
 from osculant.cas.numbers.taylor import Program, program
 
@@ -20,8 +18,6 @@ PRECISION = 320
 #: terms that power series may have; beyond flint's default of 10 it would drop some in silence
 TERMS = 128
 
-#: a form over jets, such as the one that vanishes where the curvature does
-Form = Callable[[PlaneJet], Any]
 Jet = TypeVar("Jet")
 
 
@@ -112,32 +108,6 @@ class FormulaBalls(Generic[Jet]):
             if not value.is_finite():
                 return REASONS.get(step.op) or REASONS.get(str(step.value)) or f"{step.value} is undefined"
         return "it is undefined"
-
-
-class CurveBalls(FormulaBalls[PlaneJet]):
-    """A plane curve: enclosures of the Taylor series of two coordinates."""
-
-    def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
-        super().__init__(coordinates, PlaneJet, variable)
-
-
-class SpaceBalls(FormulaBalls[SpaceJet]):
-    """A space curve: enclosures of the Taylor series of three coordinates.
-
-    Of a ball around 0 that stands for a sum of squares, such as |α̇ × α̈|² where κ = 0, the root is finite.
-
-    >>> from osculant.cas.formulas.parser import parse_tuple
-    >>> SpaceBalls(parse_tuple("cos(t), sin(t), 0")).jet(arb(0), 3).curvature
-    1.00000000000000
-    """
-
-    def __init__(self, coordinates: Sequence[Node], variable: str = "t") -> None:
-        super().__init__(coordinates, partial(SpaceJet, root=_root_of_squares), variable)
-
-
-def _root_of_squares(value: Any, _degree: int) -> Any:
-    """The square root of what is known not to be negative."""
-    return value.nonnegative_part().sqrt()
 
 
 #: what it means that an operation has no finite value

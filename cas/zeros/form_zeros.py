@@ -78,7 +78,7 @@ class FormZeros(Generic[Jet]):
         curve: in ball arithmetic.
         forms: by name.
 
-    >>> from osculant.cas.numbers.balls import CurveBalls
+    >>> from osculant.cas.jets.balls import CurveBalls
     >>> from osculant.cas.formulas.parser import parse_constant, parse_tuple
     >>> forms = {"inflection": ZeroForm(lambda jet: jet.inflection_form, 2)}
     >>> zeros = FormZeros(CurveBalls(parse_tuple("t, t^3")), forms)

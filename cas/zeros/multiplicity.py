@@ -102,7 +102,7 @@ def order_of_zero(
     """Whether the first ``multiplicity`` Taylor coefficients of a form vanish exactly at a constant.
 
     >>> from osculant.cas.formulas.parser import parse_constant, parse_tuple
-    >>> from osculant.cas.numbers.balls import CurveBalls
+    >>> from osculant.cas.jets.balls import CurveBalls
     >>> cycloid = CurveBalls(parse_tuple("t - sin(t), 1 - cos(t)"))
     >>> order_of_zero(cycloid, lambda jet: jet.speed_squared, 1, parse_constant("2*pi"), 2)
     True

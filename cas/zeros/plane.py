@@ -15,8 +15,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from osculant.cas.formulas.expression import Node
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.numbers.balls import CurveBalls
 from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint, ZeroForm
 
 __all__ = ["FORMS", "SpecialPoint", "require_finite", "special_points", "vanishes"]

@@ -18,8 +18,9 @@ from typing import Any
 from flint import arb
 
 from osculant.cas.formulas.expression import Node
+from osculant.cas.jets.balls import SpaceBalls
 from osculant.cas.jets.space import SpaceJet
-from osculant.cas.numbers.balls import PRECISION, SpaceBalls, constant, precision
+from osculant.cas.numbers.balls import PRECISION, constant, precision
 from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint, ZeroForm
 
 #: a place inside the interval, unlikely to be a zero of anything

@@ -1,4 +1,4 @@
-"""Generated from cas/invariants.py by codegen.generate; do not edit.
+"""Generated from cas/jets/plane.py by codegen.generate; do not edit.
 
 Made with sympy 1.14.0, mpmath 1.3.0: `make generate`.
 """

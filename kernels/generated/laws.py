@@ -1,4 +1,4 @@
-"""Generated from cas/complexity.py by codegen.generate; do not edit.
+"""Generated from cas/laws/table.py by codegen.generate; do not edit.
 
 Made with sympy 1.14.0, mpmath 1.3.0: `make generate`.
 """
@@ -11,6 +11,18 @@ import math
 import numpy as np
 
 from osculant.kernels.jit import kernel
+
+
+PARABOLA_ORDER = 4
+CONIC_ORDER = 5
+BIARC_ORDER = 3
+BIHELIX_ORDER = 3
+LEVEL_BIHELIX_ORDER = 4
+PARABOLA_AREA_ORDER = 5
+CONIC_AREA_ORDER = 6
+BIARC_AREA_ORDER = 4
+BIHELIX_CONSTANT = 0.0030864197530864196  # 1/324
+LEVEL_BIHELIX_CONSTANT = 0.00017361111111111112  # 1/5760
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""Generated from cas/pencil.py by codegen.generate; do not edit.
+"""Generated from cas/geometry/pencil.py by codegen.generate; do not edit.
 
 Made with sympy 1.14.0, mpmath 1.3.0: `make generate`.
 """
@@ -12,7 +12,6 @@ from osculant.kernels.jit import kernel
 
 
 PARABOLA_FIRST = 0.5  # 1/2
-PARABOLA_LAST = 0.5  # 1/2
 PARABOLA_SHARPNESS = 16.0  # 16
 CONIC_FIRST = 0.276393202250021  # 1/2 - sqrt(5)/10
 CONIC_LAST = 0.7236067977499789  # sqrt(5)/10 + 1/2

@@ -72,20 +72,20 @@ def approximate_in_plane(
     least = tuple(len(run) if part.exact else 1 for part, run in zip(fitting.parts, runs, strict=True))
     law = partial(quick_complexity, curve, primitive, fitting.division, least, size.scale, metric)
     return Spline(
-        curve,
-        primitive,
-        metric,
-        allowed,
-        made,
-        _minimal(fitting, runs, count is None),
-        fitting.division.undecided,
-        fitting.division.splits,
-        lambda: Prediction.of(law(), allowed, len(made)),
-        rule or first_rule(primitive, metric),
-        closed_how != "open",
-        split,
-        "tolerance" if count is None else "pieces",
-        fitting.gap,
+        curve=curve,
+        primitive=primitive,
+        metric=metric,
+        rule=rule or first_rule(primitive, metric),
+        tolerance=allowed,
+        pieces=made,
+        minimal=_minimal(fitting, runs, count is None),
+        undecided=fitting.division.undecided,
+        splits=fitting.division.splits,
+        closed=closed_how != "open",
+        split=split,
+        given="tolerance" if count is None else "pieces",
+        gap=fitting.gap,
+        predict=lambda: Prediction.of(law(), allowed, len(made)),
     )
 
 

@@ -134,8 +134,8 @@ class Helices(SpaceSegments):
 
     def _lengths(self, knots: Floats) -> list[float]:
         """The arc lengths between the knots."""
-        from osculant.cas.laws.complexity import integral
         from osculant.cas.numbers.balls import PRECISION, precision
+        from osculant.cas.numbers.quadrature import integral
 
         def speed(t: Any) -> Any:
             return self.curve.balls.jet(t, 1).speed.mid()

@@ -188,7 +188,7 @@ def complexity_of(
 
 def _order(primitive: str, metric: str) -> int:
     """The order of a spline's error in its number of pieces: areas add, which costs one."""
-    return choose(primitive, metric).order - (metric == "area")
+    return choose(primitive, metric).law.spline_order
 
 
 def _next_constants(curve: PlaneCurve, primitive: str, division: Division) -> Iterator[str]:

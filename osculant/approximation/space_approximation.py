@@ -11,10 +11,10 @@ from osculant.approximation.closing import ends_meet
 from osculant.approximation.predicted import Prediction
 from osculant.approximation.prediction import Complexity
 from osculant.approximation.request import requested
-from osculant.approximation.space_stretches import SpaceDivision, check_finite, divide
+from osculant.approximation.space_stretches import LAWS, SpaceDivision, check_finite, divide
 from osculant.cas.errors import DomainError
 from osculant.curves.curve import FormulaCurve
-from osculant.space_spline import SpaceSpline
+from osculant.spline import Spline
 from osculant.tolerances import check_floor, reserve
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def approximate_in_space(
     split: str = "theory",
     split_at: Sequence[Any] = (),
     progress: Progress | None = None,
-) -> SpaceSpline:
+) -> Spline:
     """A tangent-continuous spline of bihelices (pairs of helical arcs): few for a tolerance, or so many.
 
     Args:
@@ -57,7 +57,7 @@ def approximate_in_space(
         split_at: parameter values that shall be knots besides.
         progress: called now and then with the part of the interval done, 0…1.
 
-    Returns a `SpaceSpline`. Straight lines, circles and helices become single pieces that are exact, each
+    Returns a `Spline`. Straight lines, circles and helices become single pieces that are exact, each
     turning by less than 2π; a planar curve becomes a spline of biarcs. The errors are estimates of the
     two-sided Hausdorff distance, not certificates. The number of pieces is not proved to be the least, nor
     the error of a given number: the error of a bihelix is monotone in the length of the arc only while it is
@@ -103,20 +103,20 @@ def approximate_in_space(
     made = tuple(fitting.pieces(runs))
     least = tuple(part.least if part.exact else 1 for part in fitting.parts)
     certain = count is None and not division.undecided and division.proved
-    spline = SpaceSpline(
-        curve,
-        "bihelix",
-        rule,
-        metric,
-        allowed,
-        made,
-        "proved" if certain and len(made) == len(division.stretches) else "unknown",
-        division.undecided,
-        division.splits,
-        lambda: Prediction.of(_law(curve, division, least), allowed, len(made)),
-        is_closed,
-        split,
-        "tolerance" if count is None else "pieces",
+    spline = Spline(
+        curve=curve,
+        primitive="bihelix",
+        metric=metric,
+        rule=rule,
+        tolerance=allowed,
+        pieces=made,
+        minimal="proved" if certain and len(made) == len(division.stretches) else "unknown",
+        undecided=division.undecided,
+        splits=division.splits,
+        closed=is_closed,
+        split=split,
+        given="tolerance" if count is None else "pieces",
+        predict=lambda: Prediction.of(_law(curve, division, least), allowed, len(made)),
     )
     if primitive == "best":
         spline = replace(spline, choice=(f"bihelix: {len(made)} pieces, {spline.numbers} numbers",))
@@ -156,7 +156,8 @@ def complexity_in_space(
 def _law(curve: SpaceCurve, division: SpaceDivision, least: tuple[int, ...]) -> Complexity:
     from flint import arb
 
-    from osculant.cas.laws.bihelix_law import LAWS, bihelix_constant
+    from osculant.cas.laws.complexity import complexity_constant
+    from osculant.cas.laws.table import law_of
     from osculant.cas.numbers.balls import PRECISION, precision
 
     constants = []
@@ -166,10 +167,11 @@ def _law(curve: SpaceCurve, division: SpaceDivision, least: tuple[int, ...]) -> 
             continue
         ends = pairwise([stretch.low, *stretch.passed, stretch.high])
         with precision(PRECISION):
-            value = sum((bihelix_constant(curve.balls, stretch.shape, *pair)[0] for pair in ends), arb(0))
+            law = LAWS[stretch.shape]
+            value = sum((complexity_constant(curve.balls, law, *pair)[0] for pair in ends), arb(0))
         constants.append(value.str(DIGITS, radius=False))
     shape = division.stretches[0].shape
-    order = LAWS[shape if shape in LAWS else "generic"].order
+    order = law_of(LAWS.get(shape, "bihelix")).spline_order
     return Complexity("bihelix", "hausdorff", order, tuple(constants), least, DIGITS)
 
 

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from osculant.approximation.runs import Floats, Progress, Run, equal_parts, equal_shares, not_found, too_many
+from osculant.approximation.space_stretches import LAWS
+from osculant.cas.laws.table import law_of
 from osculant.kernels import bihelix_spline
 from osculant.kernels.bihelices.helix import HELIX_SIZE
 from osculant.kernels.bihelix_given import contents, fit_arcs
@@ -42,7 +44,7 @@ class SpaceArcs:
         self, curve: SpaceCurve, rule: int, place: Place, stretch: SpaceStretch, noise: float
     ) -> None:
         self.curve, self.rule, self.place, self.stretch, self.noise = curve, rule, place, stretch, noise
-        self.order = 4 if stretch.shape == "level" else 3
+        self.order = law_of(LAWS[stretch.shape]).order
         self.ends = stretch.a, stretch.b
 
     @cached_property

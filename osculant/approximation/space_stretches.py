@@ -21,6 +21,8 @@ CUSP_ORDERS = 9
 Vector = tuple[float, float, float]
 #: "level" is a curve of constant curvature and varying torsion: every point would be a vertex
 Shape = Literal["generic", "level", "segment", "exact"]
+#: the name of the law of bihelices along a curve of that shape
+LAWS = {"generic": "bihelix", "level": "level bihelix"}
 
 
 @dataclass(frozen=True)

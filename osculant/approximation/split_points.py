@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError
-from osculant.cas.formulas.text import to_text
+from osculant.cas.formulas.expression import to_text
 from osculant.curves.curve import as_constant
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def _asked(curve: FormulaCurve, asked: Any, low: Any, high: Any, seam: bool = Fa
     """The split point a user asked for, inside the interval, or at an end if that is a ``seam``."""
     from osculant.cas.numbers.balls import constant
 
-    at = constant(as_constant(asked, "--split-at"))
+    at = constant(as_constant(asked, "split_at"))
     if (at > low and at < high) or (seam and (at.overlaps(low) or at.overlaps(high))):
         return _point(at, frozenset(["asked"]))
     raise DomainError(

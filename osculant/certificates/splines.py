@@ -15,13 +15,13 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError
+from osculant.pieces.conics import conic_arcs
 
 if TYPE_CHECKING:
     from osculant.cas.geometry.arc_distance import Coefficients
     from osculant.cas.geometry.conic_arcs import ConicArc
     from osculant.curves.plane import PlaneCurve
-    from osculant.pieces.biarcs import Biarc
-    from osculant.pieces.conics import Piece
+    from osculant.pieces.piece import PieceLike
 
 #: bits of the balls, and those tried where a bound is not finite, or far above what was found from below
 BITS = (128, 320)
@@ -106,7 +106,7 @@ class Certificate:
 
 def certify(
     curve: PlaneCurve,
-    pieces: Sequence[Piece | Biarc],
+    pieces: Sequence[PieceLike],
     tolerance: float,
     progress: Callable[[float], None] | None = None,
 ) -> Certificate:
@@ -155,7 +155,7 @@ def certify(
 
 
 def _bounds(
-    curve: PlaneCurve, piece: Piece | Biarc, tolerance: float, bits: int, first: bool, last: bool
+    curve: PlaneCurve, piece: PieceLike, tolerance: float, bits: int, first: bool, last: bool
 ) -> PieceBounds:
     """The bounds of one piece, which may be the first or last of all, at one precision."""
     from osculant.cas.geometry.arc_distance import distance, from_point
@@ -184,22 +184,21 @@ def _bounds(
     return PieceBounds(lower, upper, at, reason)
 
 
-def _arcs(piece: Piece | Biarc) -> list[ConicArc]:
+def _arcs(piece: PieceLike) -> list[ConicArc]:
     from osculant.cas.geometry.conic_arcs import ConicArc
 
-    return [ConicArc(arc.start, arc.middle, arc.end, arc.weight) for arc in piece.arcs]
+    return [ConicArc(arc.start, arc.middle, arc.end, arc.weight) for arc in conic_arcs([piece])]
 
 
-def _cuts(balls: Coefficients, piece: Piece | Biarc, ends: Knots) -> list[Any]:
+def _cuts(balls: Coefficients, piece: PieceLike, ends: Knots) -> list[Any]:
     """The ends, and for a biarc between them where the curve passes the junction."""
     from osculant.cas.geometry.arc_distance import parting
 
     if len(piece.arcs) == 1:
         return list(ends)
-    a, b = piece.interval
-    junction = piece.arcs[1]
+    junction = conic_arcs([piece])[1]
     tangent = junction.tangent(0.0).tolist()
-    return [ends[0], parting(balls, *ends, a + piece.share * (b - a), junction.start, tangent), ends[1]]
+    return [ends[0], parting(balls, *ends, piece.arc_ends[1], junction.start, tangent), ends[1]]
 
 
 def _ends(curve: PlaneCurve, interval: tuple[float, float], first: bool, last: bool) -> Knots:

@@ -1,4 +1,4 @@
-"""The commands ``osculant approximate`` and ``osculant complexity``."""
+"""The command ``osculant approximate``."""
 
 from __future__ import annotations
 
@@ -7,39 +7,22 @@ from typing import Annotated
 
 import typer
 
+from osculant.cli.grammar import UsageError
 from osculant.cli.options import (
     AsJson,
     Formula,
     High,
     Low,
-    UsageError,
+    Metric,
+    Primitive,
+    SplitAt,
     both_ends,
     check_files,
     writing_options,
 )
-from osculant.cli.splines import Waiting, print_complexity, print_json, print_spline
+from osculant.cli.output import Waiting, print_json
+from osculant.cli.splines import print_spline
 
-Primitive = Annotated[
-    str | None,
-    typer.Option(
-        "--with",
-        metavar="conic|parabola|biarc|bihelix|best",
-        help="The kind of pieces; in the plane conic by default, in space bihelix; best is the one with the "
-        "fewest numbers to store.",
-    ),
-]
-Metric = Annotated[
-    str,
-    typer.Option(
-        "--metric",
-        metavar="hausdorff|area",
-        help="What an error is: a distance, or the area between curve and spline.",
-    ),
-]
-SplitAt = Annotated[
-    list[str] | None,
-    typer.Option("--split-at", metavar="T", help="A parameter that shall be a knot; repeatable."),
-]
 Tolerance = Annotated[
     str | None,
     typer.Option(
@@ -134,15 +117,14 @@ def approximate(
     check_files(write, plot, primitive)
     options = writing_options(write, reserve=reserve, decimals=decimals, units=units)
 
-    import osculant
-    from osculant.space_spline import SpaceSpline
+    from osculant import api
 
-    curve = osculant.curve(formula, low, high)
+    curve = api.curve(formula, low, high)
     if certify and (metric != "hausdorff" or len(curve.coordinates) == 3):
         raise UsageError("The option --certify is for distances in the plane only: leave it out.")
     began = perf_counter()
     with Waiting("approximating") as progress:
-        spline = osculant.approximate(
+        spline = api.approximate(
             curve,
             primitive,
             tolerance,  # type: ignore[arg-type]  # text is read there, and refused in a sentence
@@ -154,7 +136,7 @@ def approximate(
             split_at=split_at or (),
             progress=progress,
         )
-    if certify and not isinstance(spline, SpaceSpline):
+    if certify:
         with Waiting("certifying") as progress:
             spline.certify(progress)
     seconds = perf_counter() - began
@@ -166,54 +148,3 @@ def approximate(
         print_json(spline.to_json())
     else:
         print_spline(spline, seconds, [*write, *([] if plot is None else [plot])])
-
-
-def complexity(
-    formula: Formula,
-    low: Low = None,
-    high: High = None,
-    primitive: Primitive = None,
-    tolerance: Annotated[
-        str | None, typer.Option("--tolerance", metavar="E", help="Predict the pieces for this tolerance.")
-    ] = None,
-    pieces: Annotated[
-        str | None, typer.Option("--pieces", metavar="N", help="Predict the error of so many pieces.")
-    ] = None,
-    metric: Metric = "hausdorff",
-    split_at: SplitAt = None,
-    next_term: Annotated[
-        bool, typer.Option("--next-term", help="Also c1 of the second term, C*E^(-1/p) + c1*E^(1/p).")
-    ] = False,
-    as_json: AsJson = False,
-) -> None:
-    """Print how many pieces theory predicts, and its leading constant."""
-    low, high = both_ends(low, high)
-
-    import osculant
-    from osculant.approximation.request import requested
-    from osculant.tolerances import checked_tolerance
-
-    allowed = None if tolerance is None else checked_tolerance(tolerance)
-    count = requested(None, pieces)[1]
-    curve = osculant.curve(formula, low, high)
-    law = osculant.complexity(curve, primitive, metric=metric, split_at=split_at or (), next_term=next_term)
-    if count is not None and count < sum(law.least):
-        raise UsageError(
-            f"The number of pieces is {count}, and between its split points the curve takes at least "
-            f"{sum(law.least)}: ask for {sum(law.least)} or more."
-        )
-    if not as_json:
-        print_complexity(curve, law, allowed, count)
-        return
-    data = {"curve": curve.text, **law.to_json()}
-    if allowed is not None:
-        data |= {
-            "tolerance": allowed,
-            "predicted": law.predicted(allowed),
-            "predicted_pieces": law.predicted_pieces(allowed),
-        }
-        if next_term:
-            data["refined"] = law.refined(allowed)
-    if count is not None:
-        data |= {"pieces": count, "predicted_error": law.predicted_error(count)}
-    print_json(data)

@@ -2,42 +2,23 @@
 
 from __future__ import annotations
 
-import json
-import os
-import sys
-import textwrap
 from collections.abc import Collection, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from osculant.cas.claims import Claim, Judgement, Verdict
-from osculant.cli.splines import ENDLESS, printable
+from osculant.cli.output import WIDEST, console, output_width, print_rows, printable
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from osculant.thesis.verification import Verification
 
 #: how verdicts look on a terminal
 STYLES: dict[str, str] = {Verdict.FAILS: "bold red", Verdict.OPEN: "yellow", Verdict.CORRECTED: "cyan"}
-#: columns of the names in front of a claim's particulars, and the widest text beside them
-MARGIN, WIDEST = 13, 110
+#: columns of the names in front of a claim's particulars
+MARGIN = 13
 #: columns that a statement gets in a table, if need be instead of the columns that can be spared
 STATEMENT = 30
 #: what an uncertain erratum means
 UNCERTAIN = "the print is known from a damaged text, which loses large brackets, tall bars and overlines"
-
-
-def lenient() -> None:
-    """Let an output that has no mathematical letters, such as ASCII, show a question mark for each."""
-    reconfigure = getattr(sys.stdout, "reconfigure", None)
-    if reconfigure is not None:
-        reconfigure(errors="replace")
-
-
-def print_data(data: Any) -> None:
-    """Print plain data as JSON, letters as they are if the output has them all."""
-    universal = (sys.stdout.encoding or "").lower().startswith("utf")
-    print(json.dumps(data, indent=1, allow_nan=False, ensure_ascii=not universal))
 
 
 def print_verification(verification: Verification, written: str | None = None) -> None:
@@ -108,19 +89,8 @@ def print_claim(judgement: Judgement) -> None:
         ("derivation", claim.derivation),
         *certificates,
     ]
-    for name, text in rows:
-        if text:
-            _print_block(name, text)
+    print_rows([(name, text) for name, text in rows if text], MARGIN, min(output_width(), WIDEST))
     print()
-
-
-def _print_block(name: str, text: str) -> None:
-    """Print a text beside its name, paragraphs kept, long lines broken."""
-    width = min(_console().width, WIDEST) - MARGIN
-    breaking = textwrap.TextWrapper(width, break_long_words=False, break_on_hyphens=False)
-    lines = [part for line in text.splitlines() for part in breaking.wrap(line) or [""]]
-    for place, line in enumerate(lines):
-        print(f"{'' if place else name:<{MARGIN}}{line}".rstrip())
 
 
 def _method(claim: Claim) -> str:
@@ -147,9 +117,9 @@ def _print_table(titles: Sequence[str], rows: Sequence[Sequence[str]], spare: Co
     """
     from rich.text import Text
 
-    console = _console()
+    out = console()
     taken = sum(max(map(len, column)) + 2 for column in list(zip(titles, *rows))[:-1])
-    if console.width - taken < STATEMENT:
+    if out.width - taken < STATEMENT:
         titles, *rows = ([cell for i, cell in enumerate(row) if i not in spare] for row in (titles, *rows))
     widths = [max(map(len, column)) for column in zip(titles, *rows)]
     for number, row in enumerate((titles, *rows)):
@@ -157,12 +127,5 @@ def _print_table(titles: Sequence[str], rows: Sequence[Sequence[str]], spare: Co
         for cell, width in zip(row[:-1], widths):
             line.append(f"{cell:<{width}}  ", style=STYLES.get(cell, "") if number else "bold")
         line.append(row[-1], style="" if number else "bold")
-        line.truncate(console.width, overflow="ellipsis")
-        console.print(line)
-
-
-def _console() -> Console:
-    from rich.console import Console
-
-    wide = None if sys.stdout.isatty() or "COLUMNS" in os.environ else ENDLESS
-    return Console(width=wide, markup=False, emoji=False, highlight=False, soft_wrap=True)
+        line.truncate(out.width, overflow="ellipsis")
+        out.print(line, soft_wrap=True)

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import re
 import sys
-import textwrap
-from collections.abc import Iterable, Iterator, Sequence
-from shutil import get_terminal_size
+from collections.abc import Iterator, Sequence
 from typing import Annotated, Any
 
 import typer
 
-from osculant.cli.options import AsJson, FormulaCommand, UsageError, whole_number
-from osculant.cli.splines import Waiting, print_json
+from osculant.cli.grammar import FormulaCommand, UsageError
+from osculant.cli.options import AsJson, whole_number
+from osculant.cli.output import WIDEST, Waiting, output_width, print_json, print_rows
 
 Formulas = Annotated[
     str, typer.Argument(metavar="FORMULA", help='The components, such as "x, x*y + y^3"; they vanish at 0.')
@@ -47,8 +46,8 @@ Order = Annotated[
 ]
 Certificate = Annotated[bool, typer.Option("--certificate", help="Print the certificates as well.")]
 
-#: columns of the names in front, and the widest text beside them on a terminal
-MARGIN, WIDEST = 22, 110
+#: columns of the names in front of the answers
+MARGIN = 22
 
 
 class GermCommand(FormulaCommand):
@@ -78,9 +77,10 @@ def germ(
     if order is not None and transversal is None:
         raise UsageError("The option --order needs --transversal: it names coordinates for it.")
 
-    from osculant.germs import map_germ as map_germs
+    from osculant.germs import map_germ
+    from osculant.germs.report import report
 
-    given = map_germs.germ(formula, source, boundary)
+    given = map_germ.germ(formula, source, boundary)
     if transversal is not None:
         k = whole_number(transversal, "--transversal")
         data: dict[str, Any] = {
@@ -94,13 +94,15 @@ def germ(
         }
     else:
         with Waiting("computing") as progress:
-            data = given.report(group, progress)
+            data = report(given, group, progress)
     if as_json:
         print_json(data)
-    elif transversal is not None:
-        print_rows([*_head(data), *_listed(f"{data['jet'] + 1}-transversal", data["transversal"])])
+        return
+    if transversal is not None:
+        table = [*_head(data), *_listed(f"{data['jet'] + 1}-transversal", data["transversal"])]
     else:
-        print_rows([*rows(data), *(certificate_rows(data["certificate"]) if certificate else ())])
+        table = [*rows(data), *(certificate_rows(data["certificate"]) if certificate else ())]
+    print_rows(table, MARGIN, min(output_width(), WIDEST) if sys.stdout.isatty() else None)
 
 
 def _head(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
@@ -116,10 +118,11 @@ def _listed(name: str, terms: Sequence[str]) -> Iterator[tuple[str, str]]:
 
 
 def rows(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
-    """The rows of a germ's table, from what `MapGerm.report` returns.
+    """The rows of a germ's table, from what `osculant.germs.report.report` returns.
 
     >>> from osculant.germs.map_germ import germ
-    >>> dict(rows(germ("x, x*y + y**3", "x y").report()))["determinacy"]
+    >>> from osculant.germs.report import report
+    >>> dict(rows(report(germ("x, x*y + y**3", "x y"))))["determinacy"]
     '3, sharp: the 2-jet has a codimension of at least 3, not 2'
     """
     reasons = data["reason"]
@@ -159,7 +162,8 @@ def certificate_rows(certificate: dict[str, Any]) -> Iterator[tuple[str, str]]:
     """The rows that tell the certificates of the codimensions.
 
     >>> from osculant.germs.map_germ import germ
-    >>> for name, text in certificate_rows(germ("x**2", "x").certificate()):
+    >>> from osculant.germs.report import certificate
+    >>> for name, text in certificate_rows(certificate(germ("x**2", "x"))):
     ...     print(name, "|", text)
     T G f | rank 1 of 3 in jets of order 2; contains M^2θ (l = 1); 2 functionals vanish on it:
      | 1: 1
@@ -188,16 +192,3 @@ def certificate_rows(certificate: dict[str, Any]) -> Iterator[tuple[str, str]]:
             yield name, f"everything in jets of order {found['order']} (l = {found['bound']})"
         for functional in found["functionals"]:
             yield "", ", ".join(f"{term}: {value}" for term, value in functional.items())
-
-
-def print_rows(table: Iterable[tuple[str, str]]) -> None:
-    """Print names and texts in two columns; on a terminal long texts are broken.
-
-    >>> print_rows([("rank", "2")])
-    rank                  2
-    """
-    width = min(get_terminal_size().columns, WIDEST) - MARGIN if sys.stdout.isatty() else 0
-    for name, text in table:
-        lines = textwrap.wrap(text, width, break_on_hyphens=False) if width > 0 else [text]
-        for place, line in enumerate(lines):
-            print(f"{'' if place else name:<{MARGIN}}{line}".rstrip())

@@ -1,10 +1,14 @@
-"""What the command `invariants` prints: exact invariants of a curve, or their values at a parameter."""
+"""The command ``osculant invariants``: exact invariants of a curve, or their values at a parameter."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-from osculant.cli.splines import print_rows
+import typer
+
+from osculant.cli.grammar import UsageError
+from osculant.cli.options import AsJson, Formula, High, Low, whole_number
+from osculant.cli.output import print_json, print_rows
 
 if TYPE_CHECKING:
     from osculant.curves.plane import PlaneCurve
@@ -12,6 +16,40 @@ if TYPE_CHECKING:
 
 #: by dimension, the names of the coordinates and the highest of their derivatives in a formula over jets
 JETS = {2: ("xy", 5), 3: ("xyz", 4)}
+
+
+def invariants(
+    formula: Formula,
+    low: Low = None,
+    high: High = None,
+    at: Annotated[
+        str | None, typer.Option("--at", metavar="T", help="Evaluate at this parameter instead.")
+    ] = None,
+    digits: Annotated[
+        str | None, typer.Option("--digits", metavar="N", help="Digits of the values, by default 15.")
+    ] = None,
+    latex: Annotated[bool, typer.Option("--latex", help="Print LaTeX.")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Print a curve's Euclidean and affine invariants exactly, or their values at a parameter.
+
+    With both ends of an interval the arc lengths are definite integrals.
+    """
+    if digits is not None and at is None:
+        raise UsageError("The option --digits needs --at: it tells how many digits of the values to print.")
+
+    from osculant import api
+    from osculant.curves.curve import DIGITS
+
+    wanted = DIGITS if digits is None else whole_number(digits, "--digits")
+
+    curve = api.curve(formula, low, high)
+    data = invariants_data(curve) if at is None else values_data(curve, at, wanted)
+    if as_json:
+        print_json(data)
+    else:
+        show = print_invariants if at is None else print_values
+        show(data, latex, curve.dimension)
 
 
 def invariants_data(curve: PlaneCurve | SpaceCurve) -> dict[str, Any]:

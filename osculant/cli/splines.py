@@ -1,85 +1,24 @@
-"""What the commands print: small tables for people, JSON for programs, a bar for those who wait."""
+"""How a spline is printed: what it is, how good, and whether it is the best, one fact a line."""
 
 from __future__ import annotations
 
-import json
 import math
-import sys
 from collections.abc import Sequence
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context
-from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from osculant.cli.output import print_rows, printable
 
 if TYPE_CHECKING:
-    from types import TracebackType
+    from osculant.spline import Spline
 
-    from rich.progress import Progress
-
-    from osculant.approximation.prediction import Complexity
-    from osculant.curves.curve import FormulaCurve
-    from osculant.spline_facts import SplineFacts
-
-#: seconds before a progress bar appears
-PATIENCE = 1.0
-#: columns of an output that is no terminal
-ENDLESS = 200
 #: split points that are listed
 LISTED = 8
 #: of a spline without the splits that theory wants
 UNSPLIT = "never where only theory wants it: errors are measured, but nothing proves the number minimal"
 
 
-class Waiting:
-    """A progress bar on stderr, shown only on a terminal and after `PATIENCE` seconds.
-
-    Call it with the part that is done, 0…1; use it as a context manager, so that it goes away.
-
-    >>> with Waiting("counting") as progress:
-    ...     progress(0.5)
-    """
-
-    def __init__(self, what: str) -> None:
-        self.what, self.began = what, perf_counter()
-        self.bar: Progress | None = None
-
-    def __enter__(self) -> Waiting:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        if self.bar is not None:
-            self.bar.stop()
-
-    def __call__(self, part: float) -> None:
-        """Show the part that is done."""
-        if self.bar is None:
-            if not sys.stderr.isatty() or perf_counter() - self.began < PATIENCE:
-                return
-            from rich.console import Console
-            from rich.progress import Progress
-
-            self.bar = Progress(console=Console(stderr=True), transient=True)
-            self.bar.add_task(self.what, total=1.0)
-            self.bar.start()
-        self.bar.update(self.bar.task_ids[0], completed=part)
-
-
-def print_json(data: Any) -> None:
-    """Print plain data as JSON."""
-    print(json.dumps(data, indent=1, allow_nan=False))
-
-
-def printable(text: str) -> str:
-    r"""Text fit for any output: what is no valid Unicode (in a file's name) as an escape.
-
-    >>> printable("a\udcff.svg")
-    'a\\udcff.svg'
-    """
-    return text.encode("utf-8", "backslashreplace").decode("utf-8")
-
-
-def print_spline(spline: SplineFacts, seconds: float, files: Sequence[str]) -> None:
+def print_spline(spline: Spline, seconds: float, files: Sequence[str]) -> None:
     """Print what was made, how good it is and whether it is the best, one fact a line."""
     rows = [
         ("curve", spline.curve.text),
@@ -98,7 +37,7 @@ def print_spline(spline: SplineFacts, seconds: float, files: Sequence[str]) -> N
     print_rows(rows)
 
 
-def _choice(spline: SplineFacts) -> list[tuple[str, str]]:
+def _choice(spline: Spline) -> list[tuple[str, str]]:
     """The primitive, and what else was chosen if it is not the usual; of bihelices the rule in any case."""
     from osculant.primitives.table import METRICS, PRIMITIVES, first_rule
 
@@ -117,7 +56,7 @@ def _choice(spline: SplineFacts) -> list[tuple[str, str]]:
     return rows
 
 
-def _minimal(spline: SplineFacts) -> str:
+def _minimal(spline: Spline) -> str:
     """Whether the number of pieces is the least, or what else is, and among which splines."""
     if spline.minimal == "unknown":
         return spline.minimal
@@ -127,7 +66,7 @@ def _minimal(spline: SplineFacts) -> str:
     return f"{spline.minimal}{' (with at most tolerance/pieces each)' if shares else ''}"
 
 
-def _size(spline: SplineFacts) -> list[tuple[str, str]]:
+def _size(spline: Spline) -> list[tuple[str, str]]:
     """The number of pieces and the tolerance, of which one was given, and what theory says of the other."""
     unknown = "unknown: the integral of the theory did not settle"
     if spline.given == "pieces":
@@ -144,7 +83,7 @@ def _size(spline: SplineFacts) -> list[tuple[str, str]]:
     ]
 
 
-def _error(spline: SplineFacts) -> list[tuple[str, str]]:
+def _error(spline: Spline) -> list[tuple[str, str]]:
     """The error, of areas that of the largest piece too, and what was proved of it."""
     kind = "" if spline.error_kind == "exact" else f" ({spline.error_kind})"
     if spline.metric == "area":
@@ -183,7 +122,7 @@ def _rounded(bound: float, direction: str) -> str:
     return f"{float(Context(prec=10, rounding=direction).create_decimal(bound)):.10g}"
 
 
-def _closing(spline: SplineFacts) -> list[tuple[str, str]]:
+def _closing(spline: Spline) -> list[tuple[str, str]]:
     """Whether the ends are joined and, where any start would do, how good this one is."""
     if not spline.closed:
         return []
@@ -200,44 +139,3 @@ def _listed(values: Sequence[float]) -> str:
     shown = ", ".join(f"{value:.10g}" for value in values[:LISTED])
     more = f" and {len(values) - LISTED} more" if len(values) > LISTED else ""
     return shown + more if values else "none"
-
-
-def print_complexity(
-    curve: FormulaCurve, law: Complexity, tolerance: float | None, pieces: int | None
-) -> None:
-    """Print the law with its constant, the pieces predicted for a tolerance, and the error for a number."""
-    constants = law.to_json()
-    rows = [
-        ("curve", curve.text),
-        ("primitive", law.primitive),
-        *([("metric", law.metric)] if law.metric != "hausdorff" else []),
-        ("pieces", f"C*tolerance^(-1/{law.order})"),
-        ("C", constants["constant"]),
-    ]
-    if len(law.constants) > 1:
-        power = f"^({law.order}/{law.order + 1})" if law.metric == "area" else ""
-        terms = " + ".join(f"C{place}{power}" for place in (1, 2))
-        more = " + ..." if len(law.constants) > 2 else ""
-        rows.append(("stretches", f"{len(law.constants)} between split points: C{power} = {terms}{more}"))
-        rows += [(f"  C{place}", value) for place, value in enumerate(law.constants, 1)]
-    if law.next_constant is not None:
-        rows += [("next term", f"c1*tolerance^(1/{law.order})"), ("c1", f"{law.next_constant:.12g}")]
-    if tolerance is not None:
-        rows += [
-            ("tolerance", f"{tolerance:g}"),
-            ("predicted", f"{law.predicted(tolerance):.10g}"),
-            *([("both terms", f"{law.refined(tolerance):.10g}")] if law.next_constant is not None else []),
-            ("whole pieces", str(law.predicted_pieces(tolerance))),
-        ]
-    if pieces is not None:
-        rows += [
-            ("given pieces", str(pieces)),
-            ("predicted error", f"{law.predicted_error(pieces):.10g}"),
-        ]
-    print_rows(rows)
-
-
-def print_rows(rows: Sequence[tuple[str, str]]) -> None:
-    """Print names and texts in two columns."""
-    width = max(len(name) for name, _ in rows)
-    print("\n".join(f"{name:<{width}}  {text}" for name, text in rows))

@@ -1,14 +1,46 @@
-"""What ``osculant tables`` prints of a table whose printed numbers are known."""
+"""The command ``osculant tables``."""
 
 from __future__ import annotations
 
-import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
-from osculant.cli.splines import ENDLESS, print_rows
+import typer
+
+from osculant.cli.options import AsJson
+from osculant.cli.output import Waiting, console, print_json, print_rows
 
 if TYPE_CHECKING:
+    from osculant.thesis.count_tables import CountTable
     from osculant.thesis.tables import ComputedTable
+
+
+def tables(
+    number: Annotated[
+        str,
+        typer.Argument(
+            metavar="TABLE",
+            help="The table's number in the thesis: 3.1, 3.2, 3.3, 3.4, 4.1, 4.2, 4.3 or 5.",
+        ),
+    ],
+    as_json: AsJson = False,
+) -> None:
+    """Compute a table of the thesis beside what it prints, with a verdict for every cell.
+
+    In tables 3.2 and 3.4 errors are areas; 3.4 is computed twice, the tolerance being that of each half, as
+    in the thesis, or of the whole curve. The numbers of tables 4.1 to 4.3 and of chapter 5 are lost: counts
+    beside theory.
+    """
+    from osculant.thesis.count_tables import CountTable
+    from osculant.thesis.tables import compute
+
+    with Waiting(f"computing table {number}") as progress:
+        table = compute(number, progress)
+    if as_json:
+        print_json(table.to_json())
+    elif isinstance(table, CountTable):
+        print_counts(table)
+    else:
+        print_table(table)
 
 
 def print_table(table: ComputedTable) -> None:
@@ -16,14 +48,11 @@ def print_table(table: ComputedTable) -> None:
 
     Where the thesis leaves open what the tolerance is granted to there is a part for each reading.
     """
-    from rich.console import Console
     from rich.table import Table
 
     printed = table.printed
     print(f"Table {printed.number}. {printed.caption}: pieces computed and printed\n")
-    console = Console(
-        width=None if sys.stdout.isatty() else ENDLESS, markup=False, emoji=False, highlight=False
-    )
+    out = console()
     for reading in printed.readings:
         if len(printed.readings) > 1:
             by = "as the thesis reads it" if reading == printed.readings[0] else "not printed"
@@ -42,7 +71,7 @@ def print_table(table: ComputedTable) -> None:
                 row += [str(cell.computed), "" if cell.printed is None else str(cell.printed), cell.verdict]
         for row in rows.values():
             shown.add_row(*row)
-        console.print(shown)
+        out.print(shown)
         print()
     for cell in table.cells:
         if cell.note is not None:
@@ -53,3 +82,28 @@ def print_table(table: ComputedTable) -> None:
             for constant in table.constants
         ]
     )
+
+
+def print_counts(table: CountTable) -> None:
+    """Print a table of counts beside theory.
+
+    >>> from osculant.thesis.count_tables import CountRow, CountTable
+    >>> row = CountRow("spiral", 0.01, {"biarc": 5}, 4.22114)
+    >>> print_counts(CountTable("5", "Biarcs", (row,), {"spiral": "0.909416"}))
+    Table 5. Biarcs
+    <BLANKLINE>
+    curve   tolerance  biarc  theory
+    spiral      1e-02      5    4.22
+    <BLANKLINE>
+    constant, spiral  0.909416
+    """
+    rules = list(table.rows[0].pieces)
+    width = max(len("curve"), *(len(row.curve) for row in table.rows))
+    sizes = [max(6, len(rule) + 1) for rule in rules]
+    head = "".join(f"{rule:>{size + 1}}" for rule, size in zip(rules, sizes))
+    print(f"Table {table.number}. {table.caption}\n\n{'curve':<{width}}  tolerance{head}  theory")
+    for row in table.rows:
+        counts = "".join(f"{row.pieces[rule]:>{size + 1}}" for rule, size in zip(rules, sizes))
+        print(f"{row.curve:<{width}}  {row.tolerance:>9.0e}{counts}  {row.theory:>6.2f}")
+    print()
+    print_rows([(f"constant, {name}", value) for name, value in table.constants.items()])

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from osculant.cli.options import AsJson, UsageError, check_place
-from osculant.cli.splines import Waiting, printable
+from osculant.cli.grammar import UsageError
+from osculant.cli.options import AsJson, check_place
+from osculant.cli.output import Waiting, print_json, printable, tell
 
 #: exit status if a claim fails
 FAILED = 1
 
 Names = Annotated[
     list[str] | None,
-    typer.Argument(metavar="[ID...|all]", help='Claims or sections, such as "lemma 2.2.1", 3.17 or 4.3.'),
+    typer.Argument(metavar="ID|all", help='Claims or sections, such as "lemma 2.2.1", 3.17 or 4.3.'),
 ]
 Chapter = Annotated[str | None, typer.Option("--chapter", metavar="N", help="Only this chapter or appendix.")]
 Show = Annotated[
@@ -53,15 +53,13 @@ def verify(
             )
         check_place(errata)
 
-    from osculant.cli.claims import lenient, print_claim, print_data, print_list, print_verification
+    from osculant.cli.claims import print_claim, print_list, print_verification
     from osculant.thesis.verification import check, chosen
-
-    lenient()
 
     claims, left_out = chosen(wanted, chapter, slow or listing)
     if listing:
         if as_json:
-            print_data([claim.to_json() for claim in claims])
+            print_json([claim.to_json() for claim in claims])
         else:
             print_list(claims)
         return 0
@@ -73,14 +71,14 @@ def verify(
         with Waiting("verifying") as progress:
             done = check(claims, left_out, progress)
     except KeyboardInterrupt:
-        print("osculant: interrupted", file=sys.stderr)
+        tell("interrupted")
         raise
     if errata is not None:
         from osculant.thesis.errata import write_errata
 
         write_errata(errata, done)
     if as_json:
-        print_data(done.to_json())
+        print_json(done.to_json())
     elif show:
         for judgement in done:
             print_claim(judgement)

@@ -1,16 +1,27 @@
-"""What curves given by formulas have in common: their coordinates and their interval."""
+"""What curves given by formulas have in common, in the plane and in space."""
 
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, ClassVar
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.formulas.expression import Node, from_sympy, number
+from osculant.cas.formulas.expression import Node, number, to_text
 from osculant.cas.formulas.parser import parse, parse_constant, parse_tuple
-from osculant.cas.formulas.text import to_text
+
+if TYPE_CHECKING:
+    from numpy import float64
+    from numpy.typing import ArrayLike, NDArray
+
+    from osculant.cas.invariants.values import ExactValues
+    from osculant.cas.jets.plane import Invariant
+    from osculant.cas.numbers.balls import FormulaBalls
+    from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
+    from osculant.codegen.jets import CompiledJet
 
 #: characters of a constant shown in messages
 LONGEST_SHOWN = 40
@@ -20,12 +31,12 @@ RESOLVED = 1e-13
 DIGITS = 15
 
 
-def as_constant(value: Any, what: str) -> Node:
+def as_constant(value: Any, argument: str) -> Node:
     """An end of an interval or another constant, exactly: a formula as text, a number, or sympy's.
 
-    Floats are read as the decimal they print as.  Raises FormulaError, naming ``what``.
+    Floats are read as the decimal they print as.  Raises FormulaError, naming the ``argument``.
 
-    >>> to_text(as_constant("2*pi", "the end"))
+    >>> to_text(as_constant("2*pi", "high"))
     '2*pi'
     """
     if isinstance(value, Node):
@@ -34,17 +45,21 @@ def as_constant(value: Any, what: str) -> Node:
         try:
             return parse_constant(value)
         except FormulaError as error:
-            raise FormulaError(f"{what}: {error}") from None
+            raise FormulaError(f"{argument}: {error}", argument=argument) from None
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise FormulaError(f"{what} is {value}: give a finite number or a formula such as 2*pi.")
+            raise FormulaError(
+                f"{argument} is {value}: give a finite number or a formula such as 2*pi.", argument=argument
+            )
         return number(Fraction(repr(value)))
     if isinstance(value, (int, Fraction)):
         return number(Fraction(value))
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
     return from_sympy(value)
 
 
-class FormulaCurve:
+class FormulaCurve(ABC):
     """A curve t ↦ (x(t), …) on a closed interval; `dimension` tells how many coordinates it has.
 
     Args:
@@ -60,6 +75,11 @@ class FormulaCurve:
     dimension: ClassVar[int]
     called: ClassVar[str]
     example: ClassVar[str]
+    #: order of the jets that kernels sample, and of those that `tabulate` takes
+    sampled_order: ClassVar[int]
+    tabulated_order: ClassVar[int]
+    #: of the forms whose zeros split splines, the one that takes the most derivatives
+    highest_form: ClassVar[str]
 
     def __init__(self, coordinates: Any, low: Any = None, high: Any = None) -> None:
         self.coordinates = coordinates_of(coordinates)
@@ -71,7 +91,7 @@ class FormulaCurve:
         self.text = ", ".join(to_text(c) for c in self.coordinates)
         if (low is None) != (high is None):
             raise DomainError("A curve needs both ends of its interval, or neither.")
-        self._ends = None if low is None else (as_constant(low, "--from"), as_constant(high, "--to"))
+        self._ends = None if low is None else (as_constant(low, "low"), as_constant(high, "high"))
         if self._ends is not None:
             self._check_interval(*self._ends)
 
@@ -80,10 +100,11 @@ class FormulaCurve:
 
         with precision(PRECISION):
             a, b = constant(low), constant(high)
-            for name, value, node in (("--from", a, low), ("--to", b, high)):
+            for name, value, node in (("low", a, low), ("high", b, high)):
                 if not value.is_finite():
                     raise FormulaError(
-                        f"{name} {to_text(node)} has no finite real value: give another number."
+                        f"{name} {to_text(node)} has no finite real value: give another number.",
+                        argument=name,
                     )
             if not a < b:
                 raise DomainError(
@@ -116,6 +137,134 @@ class FormulaCurve:
             low, high = (float(constant(end).mid()) for end in self.ends)
         return low, high
 
+    @property
+    @abstractmethod
+    def balls(self) -> FormulaBalls[Any]:
+        """The curve in ball arithmetic."""
+
+    @property
+    @abstractmethod
+    def exact(self) -> ExactValues[Any]:
+        """The invariants as simplified expressions."""
+
+    @property
+    @abstractmethod
+    def zeros(self) -> FormZeros[Any]:
+        """The zeros of its forms: of what splits a spline."""
+
+    @abstractmethod
+    def _listed(self) -> tuple[Sequence[Invariant], Sequence[Invariant], int]:
+        """The invariants of its jets, its lengths, and the order of the jets that they take."""
+
+    @abstractmethod
+    def _table(self, jet: CompiledJet, times: NDArray[float64]) -> dict[str, NDArray[float64]]:
+        """What `tabulate` returns, from a jet of order `tabulated_order`; ``times`` of shape (m,)."""
+
+    @cached_property
+    def compiled(self) -> CompiledJet:
+        """Machine code for position and the first `sampled_order` derivatives."""
+        from osculant.codegen.jets import compile_jet
+
+        return compile_jet(self.coordinates, self.sampled_order)
+
+    def jets(self, times: ArrayLike) -> NDArray[float64]:
+        """Coordinates and their first `sampled_order` derivatives at ``times`` (m,), as doubles.
+
+        Returns an array of shape (m, `dimension`, `sampled_order` + 1); NaN or infinite where undefined.
+
+        >>> from osculant.curves.plane import PlaneCurve
+        >>> PlaneCurve("t, t^3").jets([2.0]).tolist()
+        [[[2.0, 1.0, 0.0], [8.0, 12.0, 12.0]]]
+        """
+        import numpy as np
+
+        from osculant.kernels.curves.plane import sample_many
+
+        flat = np.ascontiguousarray(times, dtype=np.float64).ravel()
+        out = np.empty((flat.size, self.compiled.size))
+        sample_many(self.compiled.address, flat, out)
+        return out.reshape(flat.size, self.dimension, self.sampled_order + 1)
+
+    def invariants(self) -> dict[str, Any]:
+        """All exact invariants by name: sympy expressions, tuples of them for vectors, None if undefined."""
+        return dict(self.exact)
+
+    def __getattr__(self, name: str) -> Any:
+        # the invariants are attributes under their names: curvature, affine_curvature, torsion, arc_length, …
+        if not name.startswith("_"):
+            invariants, lengths, _ = self._listed()
+            if name in {invariant.name for invariant in (*invariants, *lengths)}:
+                return self.exact[name]
+        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+
+    def at(self, t: Any, digits: int = DIGITS) -> dict[str, Any]:
+        """The invariants at one parameter value, as mpmath numbers correct to ``digits`` digits.
+
+        Evaluated in ball arithmetic at growing precision until every digit is certain. Tuples for vectors,
+        None where an invariant does not exist. Raises DomainError where the curve is not smooth.
+
+        >>> from osculant.curves.plane import PlaneCurve
+        >>> PlaneCurve("t, t^2").at("0", 5)["curvature"]
+        mpf('2.0')
+        """
+        from osculant.curves.values import invariants_to_digits
+
+        invariants, _, order = self._listed()
+        return invariants_to_digits(self.balls, as_constant(t, "t"), digits, invariants, order)
+
+    def tabulate(self, times: ArrayLike) -> dict[str, NDArray[float64]]:
+        """The scalar invariants at many parameter values, by name, each an array as long as ``times``.
+
+        Doubles from machine code, not certified; infinite or NaN where undefined. In the plane speed,
+        curvature, curvature_slope (by arc length), affine_speed, affine_curvature, affine_curvature_slope; in
+        space speed, curvature, torsion, curvature_slope, torsion_slope.
+
+        >>> from osculant.curves.plane import PlaneCurve
+        >>> PlaneCurve("t, t^2").tabulate([0.0, 1.0])["curvature"].round(6).tolist()
+        [2.0, 0.178885]
+        """
+        import numpy as np
+
+        from osculant.codegen.jets import compile_jet
+
+        jet = compile_jet(self.coordinates, self.tabulated_order)  # owns the code at its address
+        return self._table(jet, np.ascontiguousarray(times, dtype=np.float64).ravel())
+
+    def check_finite(self) -> None:
+        """Raises DomainError, naming the parameter value, where the curve is undefined or not smooth.
+
+        >>> from osculant.curves.plane import PlaneCurve
+        >>> PlaneCurve("t, 1/t", -1, 1).check_finite()
+        Traceback (most recent call last):
+        ...
+        osculant.cas.errors.DomainError: The curve is undefined or infinite at t = 0 (a division by zero):
+        take an interval without it.
+        """
+        self.zeros.require_finite(*self.ends, [self.highest_form])
+
+    def vanishes(self, form: str) -> bool:
+        """Whether a form seems to vanish identically on the interval, to 600 digits; False is a proof.
+
+        >>> from osculant.curves.plane import PlaneCurve
+        >>> [PlaneCurve("t, t^2", 0, 1).vanishes(form) for form in ("inflection", "parabolic")]
+        [False, True]
+        """
+        from osculant.cas.numbers.balls import PRECISION, constant, precision
+
+        with precision(PRECISION):
+            return self.zeros.vanishes(form, *map(constant, self.ends))
+
+    def special_points(self, forms: Sequence[str]) -> list[SpecialPoint]:
+        """The zeros of the named forms on the interval, in order, also at its ends.
+
+        The curve has to be finite (`check_finite`), and no form to vanish identically.
+
+        >>> from osculant.curves.plane import PlaneCurve
+        >>> [sorted(point.kinds) for point in PlaneCurve("t, t^3", -1, 2).special_points(["inflection"])]
+        [['inflection']]
+        """
+        return self.zeros.within(*self.ends, forms)
+
     def __repr__(self) -> str:
         where = "" if self._ends is None else f", t from {to_text(self._ends[0])} to {to_text(self._ends[1])}"
         return f"<{type(self).__name__} {self.text}{where}>"
@@ -144,4 +293,8 @@ def coordinates_of(given: Any) -> tuple[Node, ...]:
 
 
 def _coordinate(given: Any) -> Node:
-    return parse(given) if isinstance(given, str) else from_sympy(given)
+    if isinstance(given, str):
+        return parse(given)
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
+    return from_sympy(given)

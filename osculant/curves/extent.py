@@ -11,8 +11,7 @@ import numpy as np
 from osculant.cas.errors import DomainError
 
 if TYPE_CHECKING:
-    from osculant.curves.plane import PlaneCurve
-    from osculant.curves.space import SpaceCurve
+    from osculant.curves.curve import FormulaCurve
 
 #: samples that tell the size of a curve
 SAMPLES = 257
@@ -42,24 +41,18 @@ class Extent:
         return math.ulp(self.largest) * self.size ** (dimension - 1)
 
 
-def extent(curve: PlaneCurve | SpaceCurve) -> Extent:
+def extent(curve: FormulaCurve) -> Extent:
     """Sample a curve that is finite on its interval; raises DomainError if doubles cannot hold it.
 
     >>> from osculant.curves.plane import PlaneCurve
     >>> extent(PlaneCurve("t, t^2", 0, 3))
     Extent(origin=(0.0, 0.0), largest=9.0, size=9.0)
     """
-    from osculant.kernels.curves import plane as plane_kernels
-    from osculant.kernels.curves import space as space_kernels
-
-    kernels = plane_kernels if curve.dimension == 2 else space_kernels
     a, b = curve.interval
-    jets = np.empty((SAMPLES, kernels.JET_SIZE))
     with np.errstate(all="ignore"):
         times = np.linspace(a, b, SAMPLES)
-    kernels.sample_many(curve.compiled.address, times, jets)
     # a double next to an end may lie outside the interval, where the formula need not be defined
-    points = jets[:, :: kernels.JET_SIZE // curve.dimension]
+    points = curve.jets(times)[..., 0]
     if not np.isfinite(points[1:-1]).all():
         raise DomainError(
             f"The curve {curve.text} leaves the range of double numbers on its interval: "

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from osculant.curves.curve import DIGITS, FormulaCurve, as_constant
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy import float64
+    from numpy.typing import NDArray
 
     from osculant.cas.invariants.plane import ExactInvariants
-    from osculant.cas.numbers.balls import CurveBalls
+    from osculant.cas.jets.balls import CurveBalls
+    from osculant.cas.jets.plane import Invariant, PlaneJet
+    from osculant.cas.zeros.form_zeros import FormZeros
     from osculant.codegen.jets import CompiledJet
 
 __all__ = ["DIGITS", "PlaneCurve", "as_constant"]
@@ -35,20 +38,15 @@ class PlaneCurve(FormulaCurve):
     """
 
     dimension, called, example = 2, "plane", "t, t^2"
+    sampled_order, tabulated_order = 2, 5
+    highest_form = "sextactic"
 
     @cached_property
     def balls(self) -> CurveBalls:
         """The curve in ball arithmetic."""
-        from osculant.cas.numbers.balls import CurveBalls
+        from osculant.cas.jets.balls import CurveBalls
 
         return CurveBalls(self.coordinates)
-
-    @cached_property
-    def compiled(self) -> CompiledJet:
-        """Machine code for position, first and second derivative."""
-        from osculant.codegen.jets import compile_jet
-
-        return compile_jet(self.coordinates, 2)
 
     @cached_property
     def exact(self) -> ExactInvariants:
@@ -58,49 +56,25 @@ class PlaneCurve(FormulaCurve):
         x, y = self.coordinates
         return ExactInvariants(x, y, "t", *(self._ends or ()))
 
-    def invariants(self) -> dict[str, Any]:
-        """All exact invariants by name: sympy expressions, pairs of them for vectors, None if undefined."""
-        return dict(self.exact)
+    @cached_property
+    def zeros(self) -> FormZeros[PlaneJet]:
+        """The zeros of `osculant.cas.zeros.plane.FORMS`: cusps, inflections, sextactic points, …."""
+        from osculant.cas.zeros.form_zeros import FormZeros
+        from osculant.cas.zeros.plane import FORMS
 
-    def __getattr__(self, name: str) -> Any:
-        # the invariants are attributes under their names: curvature, affine_curvature, arc_length, …
+        return FormZeros(self.balls, FORMS)
+
+    def _listed(self) -> tuple[Sequence[Invariant], Sequence[Invariant], int]:
+        from osculant.cas.invariants.plane import LENGTHS, ORDER
         from osculant.cas.jets.plane import INVARIANTS
 
-        if name in {*(invariant.name for invariant in INVARIANTS), "arc_length", "affine_arc_length"}:
-            return self.exact[name]
-        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        return INVARIANTS, [length for length, _ in LENGTHS], ORDER
 
-    def tabulate(self, times: ArrayLike) -> dict[str, NDArray[np.float64]]:
-        """The scalar invariants at many parameter values, by name, each an array as long as ``times``.
-
-        Doubles from machine code, not certified: speed, curvature, curvature_slope (by arc length),
-        affine_speed, affine_curvature, affine_curvature_slope; infinite or NaN where undefined.
-
-        >>> PlaneCurve("t, t^2").tabulate([0.0, 1.0])["curvature"].round(6).tolist()
-        [2.0, 0.178885]
-        """
+    def _table(self, jet: CompiledJet, times: NDArray[float64]) -> dict[str, NDArray[float64]]:
         import numpy as np
 
-        from osculant.codegen.jets import compile_jet
         from osculant.kernels.curves.invariants import COLUMNS, invariants_at
 
-        flat = np.ascontiguousarray(times, dtype=np.float64).ravel()
-        out = np.empty((flat.size, len(COLUMNS)))
-        jet = compile_jet(self.coordinates, 5)  # owns the code at its address
-        invariants_at(jet.address, flat, out)
+        out = np.empty((times.size, len(COLUMNS)))
+        invariants_at(jet.address, times, out)
         return {name: out[:, i] for i, name in enumerate(COLUMNS)}
-
-    def at(self, t: Any, digits: int = DIGITS) -> dict[str, Any]:
-        """The invariants at one parameter value, as mpmath numbers correct to ``digits`` digits.
-
-        Evaluated in ball arithmetic at growing precision until every digit is certain.  Pairs for vectors,
-        None where an invariant does not exist.  Raises DomainError where the curve is not smooth.
-
-        >>> PlaneCurve("t, t^2").at("0", 5)["curvature"]
-        mpf('2.0')
-        """
-        from osculant.cas.invariants.plane import ORDER
-        from osculant.cas.jets.plane import INVARIANTS
-        from osculant.curves.values import invariants_to_digits
-
-        return invariants_to_digits(self.balls, as_constant(t, "--at"), digits, INVARIANTS, ORDER)

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from osculant.curves.curve import DIGITS, FormulaCurve, as_constant
+from osculant.curves.curve import FormulaCurve
 
 if TYPE_CHECKING:
     from numpy import float64
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import NDArray
 
     from osculant.cas.invariants.space import SpaceExactInvariants
-    from osculant.cas.numbers.balls import SpaceBalls
+    from osculant.cas.jets.balls import SpaceBalls
+    from osculant.cas.jets.plane import Invariant
+    from osculant.cas.jets.space import SpaceJet
+    from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
     from osculant.codegen.jets import CompiledJet
 
-#: order of the jets that the kernels sample
-COMPILED_ORDER = 3
+#: the invariants of `SpaceCurve.tabulate`
+TABULATED = ("speed", "curvature", "torsion", "curvature_slope", "torsion_slope")
 
 
 class SpaceCurve(FormulaCurve):
@@ -41,20 +45,15 @@ class SpaceCurve(FormulaCurve):
     """
 
     dimension, called, example = 3, "space", "t, t^2, t^3"
+    sampled_order, tabulated_order = 3, 4
+    highest_form = "vertex"
 
     @cached_property
     def balls(self) -> SpaceBalls:
         """The curve in ball arithmetic."""
-        from osculant.cas.numbers.balls import SpaceBalls
+        from osculant.cas.jets.balls import SpaceBalls
 
         return SpaceBalls(self.coordinates)
-
-    @cached_property
-    def compiled(self) -> CompiledJet:
-        """Machine code for position and the first three derivatives."""
-        from osculant.codegen.jets import compile_jet
-
-        return compile_jet(self.coordinates, COMPILED_ORDER)
 
     @cached_property
     def exact(self) -> SpaceExactInvariants:
@@ -64,9 +63,26 @@ class SpaceCurve(FormulaCurve):
         x, y, z = self.coordinates
         return SpaceExactInvariants(x, y, z, "t", *(self._ends or ()))
 
-    def invariants(self) -> dict[str, Any]:
-        """All exact invariants by name: sympy expressions, tuples for vectors, None if undefined."""
-        return dict(self.exact)
+    @cached_property
+    def zeros(self) -> FormZeros[SpaceJet]:
+        """The zeros of `osculant.cas.zeros.space.FORMS`: cusps, points with κ = 0, vertices, …."""
+        from osculant.cas.zeros.space import zeros
+
+        return zeros(self.balls)
+
+    def special_points(self, forms: Sequence[str]) -> list[SpecialPoint]:
+        """The zeros of the named forms on the interval, in order, also at its ends.
+
+        The curve has to be finite (`check_finite`), and no form to vanish identically. In a plane the zeros
+        of the curvature are simple, and are told apart.
+
+        >>> SpaceCurve("t, t^3, 0", -1, 2).special_points(["inflection"])[0].decided
+        True
+        """
+        from osculant.cas.zeros.space import special_points
+
+        planar = "inflection" in forms and self.vanishes("planar") and self.exact.planar is True
+        return special_points(self.balls, *self.ends, forms, planar)
 
     @property
     def frame(self) -> tuple[Any, Any, Any]:
@@ -77,50 +93,19 @@ class SpaceCurve(FormulaCurve):
         """
         return self.exact["tangent"], self.exact["normal"], self.exact["binormal"]
 
-    def __getattr__(self, name: str) -> Any:
-        from osculant.cas.invariants.space import SPACE_INVARIANTS
+    def _listed(self) -> tuple[Sequence[Invariant], Sequence[Invariant], int]:
+        from osculant.cas.invariants.space import ORDER, SPACE_INVARIANTS, SPACE_LENGTHS
 
-        if name in {*(invariant.name for invariant in SPACE_INVARIANTS), "arc_length"}:
-            return self.exact[name]
-        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        return SPACE_INVARIANTS, [length for length, _ in SPACE_LENGTHS], ORDER
 
-    def tabulate(self, times: ArrayLike) -> dict[str, NDArray[float64]]:
-        """The scalar invariants at many parameter values, by name, each an array as long as ``times``.
-
-        Doubles from machine code, not certified: speed, curvature, torsion, curvature_slope, torsion_slope
-        (by arc length); infinite or NaN where undefined.
-
-        >>> SpaceCurve("3*cos(t), 3*sin(t), 4*t").tabulate([0.0, 1.0])["torsion"].round(12).tolist()
-        [0.16, 0.16]
-        """
+    def _table(self, jet: CompiledJet, times: NDArray[float64]) -> dict[str, NDArray[float64]]:
         import numpy as np
 
-        from osculant.cas.invariants.space import ORDER
         from osculant.cas.jets.space import SpaceJet
-        from osculant.codegen.jets import compile_jet
 
-        flat = np.ascontiguousarray(times, dtype=np.float64).ravel()
-        jet = compile_jet(self.coordinates, ORDER)  # owns the code at its address
-        rows = np.array([jet(float(t)) for t in flat]).reshape(flat.size, self.dimension, ORDER + 1)
+        shape = times.size, self.dimension, self.tabulated_order + 1
+        rows = np.array([jet(float(t)) for t in times]).reshape(shape)
         x, y, z = (tuple(column) for column in np.moveaxis(rows, 0, 2))  # each derivative an array
         with np.errstate(all="ignore"):
             forms = SpaceJet(x, y, z, lambda value, _: np.sqrt(value))
             return {name: np.asarray(getattr(forms, name)) for name in TABULATED}
-
-    def at(self, t: Any, digits: int = DIGITS) -> dict[str, Any]:
-        """The invariants at one parameter value, as mpmath numbers correct to ``digits`` digits.
-
-        Evaluated in ball arithmetic at growing precision until every digit is certain. Triples for vectors,
-        None where an invariant does not exist. Raises DomainError where the curve is not smooth.
-
-        >>> SpaceCurve("t, t^2, t^3").at("0", 5)["torsion"]
-        mpf('3.0')
-        """
-        from osculant.cas.invariants.space import ORDER, SPACE_INVARIANTS
-        from osculant.curves.values import invariants_to_digits
-
-        return invariants_to_digits(self.balls, as_constant(t, "--at"), digits, SPACE_INVARIANTS, ORDER)
-
-
-#: the invariants of `SpaceCurve.tabulate`
-TABULATED = ("speed", "curvature", "torsion", "curvature_slope", "torsion_slope")

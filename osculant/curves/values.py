@@ -36,7 +36,7 @@ def invariants_to_digits(
 
     Raises DomainError where the curve has not so many finite derivatives, or for a silly number of digits.
     """
-    from osculant.cas.formulas.text import to_text
+    from osculant.cas.formulas.expression import to_text
     from osculant.cas.numbers.balls import constant, precision
 
     if not 1 <= digits <= MOST_DIGITS:

@@ -16,17 +16,18 @@ import io
 import math
 from typing import TYPE_CHECKING, Any, Literal
 
-from osculant import __version__
 from osculant.cas.errors import DomainError, OsculantError
 from osculant.files.motions import chords_needed
+from osculant.pieces.conics import conic_arcs
 from osculant.pieces.helices import HelixArc
+from osculant.pieces.piece import largest_of
 from osculant.tolerances import checked_tolerance, writing_reserve
+from osculant.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from osculant.pieces.conics import Piece, Point
-    from osculant.space_spline import SpaceSpline
     from osculant.spline import Spline
 
 VERSION = "R2010"  # custom properties came with R2004, LWPOLYLINE with R2000
@@ -37,7 +38,7 @@ UNIT = 2.0**-53  # the relative error of rounding
 
 
 def dxf(
-    spline: Spline | SpaceSpline,
+    spline: Spline,
     *,
     entities: Literal["polyline", "arcs"] = "polyline",
     chord_tolerance: float | None = None,
@@ -63,15 +64,11 @@ def dxf(
         DomainError: a piece of a conic that is neither circle nor line; entities or units unknown.
         OsculantError: ezdxf is not installed.
 
-    >>> from types import SimpleNamespace
-    >>> from osculant.pieces.conics import Piece
-    >>> from osculant.spline import Spline
-    >>> half = Piece.arc((0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0))
-    >>> spline = Spline(SimpleNamespace(text="cos(t), sin(t)"), "biarc", "hausdorff", 0.1, (half,), "proved")
-    >>> lines = dxf(spline).split()
+    >>> import osculant as osc
+    >>> lines = dxf(osc.approximate(osc.curve("cos(t), sin(t)", 0, "pi"), "biarc")).split()
     >>> start = lines.index("LWPOLYLINE")
-    >>> lines[start + 11 : start + 25]
-    ['90', '2', '70', '0', '10', '1.0', '20', '0.0', '42', '0.9999999999999999', '10', '-1.0', '20', '0.0']
+    >>> lines[start + 11 : start + 21]
+    ['90', '3', '70', '0', '10', '1.0', '20', '0.0', '42', '0.41421356237309503']
     """
     try:
         from ezdxf.filemanagement import new
@@ -84,17 +81,12 @@ def dxf(
     if units not in UNITS:
         raise DomainError(f"The units of a DXF file are 'mm' or 'inch', not {units!r}.")
 
-    arcs: list[Piece | HelixArc] = [arc for piece in spline.pieces for arc in piece.arcs]
     document = new(VERSION, units=UNITS[units])
     document.layers.add(LAYER)
     space = document.modelspace()
     attributes = {"layer": LAYER}
-    chorded, plane = [], []
-    for arc in arcs:
-        if isinstance(arc, HelixArc):
-            chorded.append(arc)
-        else:
-            plane.append(arc)
+    chorded = [arc for arc in spline.chain.arcs if isinstance(arc, HelixArc)]
+    plane = [] if chorded else conic_arcs(spline.pieces)
     allowed = checked_tolerance(spline.tolerance if chord_tolerance is None else chord_tolerance)
     if chorded:
         space.add_polyline3d(_chords(chorded, allowed), dxfattribs=attributes)
@@ -159,7 +151,7 @@ def _polyline(space: Any, arcs: Sequence[Piece], attributes: dict[str, str]) -> 
     """Add arcs as one LWPOLYLINE."""
     vertices = [vertex for arc in arcs for vertex in _vertices(arc)]
     first, last = arcs[0].start, arcs[-1].end
-    largest = max(abs(side) for arc in arcs for side in arc.bounding_box())
+    largest = largest_of(arc.bounding_box() for arc in arcs)
     closed = len(vertices) > 1 and math.dist(first, last) <= writing_reserve(0.0, largest)
     if not closed:
         vertices.append((*last, 0.0))
@@ -192,5 +184,5 @@ def _chords(arcs: Sequence[HelixArc], tolerance: float) -> list[tuple[float, ...
     points = [tuple(arcs[0].start)]
     for arc in arcs:
         n = chords_needed(arc.curvature * arc.length**2, tolerance)
-        points += [tuple(arc.point(arc.length * i / n).tolist()) for i in range(1, n + 1)]
+        points += [tuple(arc.point(i / n).tolist()) for i in range(1, n + 1)]
     return points

@@ -12,7 +12,7 @@ from osculant.files.writing import write_whole
 if TYPE_CHECKING:
     import os
 
-    from osculant.pieces.conics import Floats
+    from osculant.pieces.piece import Floats
 
 #: points on each piece
 DRAWN_POINTS = 65

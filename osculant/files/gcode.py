@@ -24,15 +24,14 @@ from collections.abc import Callable, Sequence
 from decimal import Decimal
 from typing import TYPE_CHECKING, Literal
 
-from osculant import __version__
 from osculant.cas.errors import DomainError, ToleranceError
 from osculant.files.motions import ROUNDING, Arc, Program, chords_needed
+from osculant.pieces.conics import Piece, conic_arcs
 from osculant.pieces.helices import HelixArc
 from osculant.tolerances import check_reserve, checked_tolerance
+from osculant.version import __version__
 
 if TYPE_CHECKING:
-    from osculant.pieces.conics import Piece
-    from osculant.space_spline import SpaceSpline
     from osculant.spline import Spline
 
 LEAST_DECIMALS = 4
@@ -42,7 +41,7 @@ UNITS = {"mm": "G21", "inch": "G20"}
 
 
 def gcode(
-    spline: Spline | SpaceSpline,
+    spline: Spline,
     *,
     decimals: int | None = None,
     reserve: float | None = None,
@@ -76,15 +75,12 @@ def gcode(
         ToleranceError: decimals too few for the reserve, a reserve below half of the 8 rounding units, or so
             little left of the tolerance.
 
-    >>> from types import SimpleNamespace
-    >>> from osculant.pieces.conics import Piece
-    >>> from osculant.spline import Spline
-    >>> half = Piece.arc((0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0))
-    >>> spline = Spline(SimpleNamespace(text="cos(t), sin(t)"), "biarc", "hausdorff", 0.1, (half,), "proved")
+    >>> import osculant as osc
+    >>> spline = osc.approximate(osc.curve("cos(t), sin(t)", 0, "pi"), "biarc")
     >>> print("".join(gcode(spline, reserve=1e-3).splitlines(keepends=True)[-4:]), end="")
-    G17 G90
     G0 X1.0000 Y0.0000
-    G3 X-1.0000 Y0.0000 I-1.0000 J0.0000
+    G3 X0.0000 Y1.0000 I-1.0000 J0.0000
+    G3 X-1.0000 Y0.0000 I0.0000 J-1.0000
     M2
     """
     if units not in (None, *UNITS):
@@ -93,17 +89,16 @@ def gcode(
         raise DomainError(f"The number of decimals is {decimals!r}: give a whole number such as 4.")
     if feed is not None and not (0 < feed < math.inf):
         raise DomainError(f"The feed rate is {feed!r}: give a positive finite number.")
-    corners = _flat(spline.bounding_box())
-    half = len(corners) // 2
-    extent = max(high - low for low, high in zip(corners[:half], corners[half:]))
+    extent = max(high - low for low, high in zip(*spline.bounding_box()))
     if straight_radius is None:
         straight_radius = STRAIGHT * extent
     chord_tolerance = checked_tolerance(spline.tolerance if chord_tolerance is None else chord_tolerance)
-    largest = max(map(abs, corners))
+    largest = spline.chain.largest
     reserve = check_reserve(spline.reserve, largest, False) if reserve is None else reserve
     decimals = _digits(reserve, largest, decimals)
 
-    arcs: list[Piece | HelixArc] = [arc for piece in spline.pieces for arc in piece.arcs]
+    arcs: list[Piece | HelixArc] = [arc for arc in spline.chain.arcs if isinstance(arc, HelixArc)]
+    arcs = arcs or [*conic_arcs(spline.pieces)]
     program = Program(decimals, arcs[0].start)
     chorded = 0
     for arc in arcs:
@@ -192,15 +187,10 @@ def _helix(arc: HelixArc, tilt: float) -> Arc | None:
 
 def _fractions(arc: HelixArc) -> Callable[[float], Sequence[float]]:
     def point(fraction: float) -> Sequence[float]:
-        found: list[float] = arc.point(fraction * arc.length).tolist()
+        found: list[float] = arc.point(fraction).tolist()
         return found
 
     return point
-
-
-def _flat(box: Sequence[float] | Sequence[Sequence[float]]) -> list[float]:
-    """Return the sides of a box of the plane or of space, lower ones first."""
-    return [value for part in box for value in ([part] if isinstance(part, (int, float)) else part)]
 
 
 def _comment(fact: str) -> list[str]:

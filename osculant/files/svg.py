@@ -25,15 +25,17 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
-from osculant import __version__
 from osculant.pieces.beziers import Ellipse, cubics, ellipse, parabola_bound
+from osculant.pieces.conics import conic_arcs
+from osculant.pieces.piece import largest_of
 from osculant.tolerances import check_reserve
+from osculant.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from osculant.pieces.biarcs import Biarc
     from osculant.pieces.conics import Piece, Point
+    from osculant.pieces.piece import PieceLike, Vector
     from osculant.spline import Spline
 
 LARGEST_RADIUS = 1e4  # of a written ellipse, relative to the piece's size
@@ -81,7 +83,7 @@ def svg(
     Raises:
         ToleranceError: a reserve below half of the 8 rounding units, or so little left of the tolerance.
     """
-    left, bottom, right, top = spline.bounding_box()
+    (left, bottom), (right, top) = spline.bounding_box()
     if reserve is None:
         largest = max(map(abs, (left, bottom, right, top)))
         reserve = check_reserve(spline.reserve, largest, asked=False)
@@ -112,7 +114,7 @@ def svg(
     return "\n".join([*lines, "</g>", "</svg>", ""])
 
 
-def path_data(pieces: Sequence[Piece | Biarc], reserve: float) -> tuple[str, int]:
+def path_data(pieces: Sequence[PieceLike], reserve: float) -> tuple[str, int]:
     r"""Return joined pieces as the data of one SVG path, and the number of decimals of its coordinates.
 
     Args:
@@ -128,9 +130,8 @@ def path_data(pieces: Sequence[Piece | Biarc], reserve: float) -> tuple[str, int
     >>> path_data([Piece("ellipse", (0, 1), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), 0.0, 0.0)], 1e-3)[0]
     'M1 0\nA1 1 0 0 1 0 1\nA1 1 0 0 1 -1 0'
     """
-    largest = max(abs(side) for piece in pieces for side in piece.bounding_box())
-    check_reserve(reserve, largest)
-    commands = [command for piece in pieces for arc in piece.arcs for command in _commands(arc, reserve)]
+    check_reserve(reserve, largest_of(piece.bounding_box() for piece in pieces))
+    commands = [command for arc in conic_arcs(pieces) for command in _commands(arc, reserve)]
     amplification = max(command.amplification for command in commands)
     # Rounding to d decimals moves a point by at most 10⁻ᵈ/√2.
     decimals = math.ceil(-math.log10(math.sqrt(2) * reserve / (4 * amplification)))
@@ -194,7 +195,7 @@ def _within(piece: Piece, conic: Ellipse, reserve: float) -> list[Command] | Non
     amplification = 2 + stretch * math.tan(conic.half_angle)
     noise = gain * UNIT * (2 + 4 * skew)  # of radii and rotation as floats, and then of inner ends
     if len(conic.ends) > 1:
-        noise += amplification * math.ulp(max(map(abs, piece.bounding_box()))) / math.sqrt(2)
+        noise += amplification * math.ulp(largest_of([piece.bounding_box()])) / math.sqrt(2)
     if amplification > LARGEST_AMPLIFICATION or noise > reserve / 2:
         return None
     relative = min(1e-3, reserve / (16 * gain))
@@ -215,7 +216,7 @@ def _write(command: Command, decimals: int) -> str:
     return f"A{shape} 0 {int(command.sweep)} {points}"
 
 
-def _pair(point: Point, decimals: int) -> str:
+def _pair(point: Vector, decimals: int) -> str:
     return f"{number(point[0], decimals)} {number(point[1], decimals)}"
 
 

@@ -5,14 +5,13 @@ Every answer is exact, or "infinite" where that is proved; UndecidedError tells 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, FormulaError, UndecidedError
-from osculant.cas.formulas.expression import Node, from_sympy, variable
+from osculant.cas.formulas.expression import Node, to_text, variable
 from osculant.cas.formulas.parser import parse, parse_tuple
-from osculant.cas.formulas.text import to_text
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group
@@ -64,6 +63,10 @@ def _components(formulas: Any, names: Sequence[str]) -> tuple[Node, ...]:
     parts = _parts(formulas)
     if not parts:
         raise FormulaError("The germ has no component: give at least one formula, such as x**2.")
+    if all(isinstance(part, str) for part in parts):
+        return tuple(parse(part, names) for part in parts)
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
     return tuple(parse(part, names) if isinstance(part, str) else from_sympy(part) for part in parts)
 
 
@@ -83,7 +86,7 @@ class GermUnfolding:
 
 
 class MapGerm:
-    """A map-germ; `germ` makes it.
+    """A map-germ; `germ` makes it, and `osculant.germs.report.report` tells all answers as plain data.
 
     Groups are named "R", "L", "C", "K", "A", "R(H)", "K(H)", "A(H)", or are `Group` objects. Where none is
     named, the group is A, or R for a function (p = 1), with (H) if there is a boundary variable. An (H) group
@@ -246,28 +249,6 @@ class MapGerm:
             return LocalAlgebra(0, ())
         # Unless it is everything, an ideal of largest minors has height |n − p| + 1 at most.
         return "infinite" if n > abs(n - p) + 1 else ramification(self.exact)
-
-    def certificate(self, group: GroupName = None) -> dict[str, Any]:
-        """What an independent checker needs, as plain data: see `osculant.germs.report`.
-
-        >>> found = germ("x**3", "x").certificate("R")["extended_codimension"]
-        >>> found["order"], found["depth"], found["functionals"]
-        (2, 1, [{'1': '1'}, {'x': '1'}])
-        """
-        return dict(self.report(group)["certificate"])
-
-    def report(
-        self, group: GroupName = None, progress: Callable[[float], None] | None = None
-    ) -> dict[str, Any]:
-        """All answers as plain data, None with a reason where there is none: see `osculant.germs.report`.
-
-        >>> found = germ("x, x*y + y**3", "x y").report("A")
-        >>> found["codimension"], found["determinacy"], found["stable"], found["unfolding"]
-        (2, 3, True, [])
-        """
-        from osculant.germs.report import report
-
-        return report(self, self.group(group), progress)
 
     def proved_codimension(self, group: GroupName = None, *, extended: bool = False) -> Codimension:
         """The codimension with its proof, as `osculant.cas.germs.codimension` has it; computed once."""

@@ -1,4 +1,4 @@
-"""All that is computed of a map-germ, as plain data: what the command ``osculant germ`` prints.
+"""All that is computed of a map-germ, as plain data.
 
 Keys: ``source`` (names), ``target`` (p), ``components``, ``boundary`` (a name or null), ``group``, ``rank``;
 ``codimension``, ``extended_codimension`` and ``determinacy``: a number or "infinite"; ``sharp``: true if one
@@ -24,31 +24,48 @@ from osculant.cas.errors import DomainError, UndecidedError
 if TYPE_CHECKING:
     from osculant.cas.germs.codimension import Codimension
     from osculant.cas.germs.groups import Group
-    from osculant.germs.map_germ import MapGerm
+    from osculant.germs.map_germ import GroupName, MapGerm
 
 
-def report(germ: MapGerm, group: Group, progress: Callable[[float], None] | None = None) -> dict[str, Any]:
+def report(
+    germ: MapGerm, group: GroupName = None, progress: Callable[[float], None] | None = None
+) -> dict[str, Any]:
     """All answers about a germ (module text). If its codimension is undecided, only stability is asked too.
 
-    ``progress`` is called now and then with the part that is done, 0…1.
+    Args:
+        germ: the germ.
+        group: as for the methods of `MapGerm`.
+        progress: called now and then with the part that is done, 0…1.
+
     Raises DomainError for an (H) group without a boundary variable.
 
     >>> from osculant.germs.map_germ import germ
-    >>> g = germ("x, y**2", "x y")
-    >>> found = report(g, g.group("A"))
+    >>> found = report(germ("x, y**2", "x y"), "A")
     >>> found["codimension"], found["tjurina"], found["hilbert"], found["reason"]
     (1, 1, [1, 1], {})
     """
-    group.generators(germ.exact)
+    acting = germ.group(group)
+    acting.generators(germ.exact)
     told = {
         "source": list(germ.source),
         "target": germ.target,
         "components": list(germ.components),
         "boundary": germ.boundary,
-        "group": group.name,
+        "group": acting.name,
         "rank": germ.rank,
     }
-    return told | _Questions(germ, group).answers(progress or (lambda part: None))
+    return told | _Questions(germ, acting).answers(progress or (lambda part: None))
+
+
+def certificate(germ: MapGerm, group: GroupName = None) -> dict[str, Any]:
+    """What an independent checker needs, as plain data (module text); errors as for `report`.
+
+    >>> from osculant.germs.map_germ import germ
+    >>> found = certificate(germ("x**3", "x"), "R")["extended_codimension"]
+    >>> found["order"], found["depth"], found["functionals"]
+    (2, 1, [{'1': '1'}, {'x': '1'}])
+    """
+    return dict(report(germ, group)["certificate"])
 
 
 def codimension_certificate(germ: MapGerm, found: Codimension) -> dict[str, Any]:
@@ -59,14 +76,14 @@ def codimension_certificate(germ: MapGerm, found: Codimension) -> dict[str, Any]
     >>> codimension_certificate(g, g.proved_codimension("A"))
     {'kind': 'curve', 'curve': '(t, 0)'}
     """
-    certificate = found.certificate()
+    told = found.certificate()
     if found.tangent is not None:
         space = found.tangent.space
-        certificate["functionals"] = [
+        told["functionals"] = [
             {germ.term(space.term(c)): str(value) for c, value in sorted(functional.items())}
             for functional in found.tangent.annihilator.functionals
         ]
-    return certificate
+    return told
 
 
 class _Questions:

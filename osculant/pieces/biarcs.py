@@ -8,23 +8,17 @@ So nearly straight arcs, whose centres are far away, are as good as any.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
-
-import numpy as np
+from itertools import pairwise
+from typing import Any, Literal
 
 from osculant.pieces.conics import Piece, Point
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
-    from osculant.pieces.conics import Floats
+from osculant.pieces.piece import OfArcs
 
 
 @dataclass(frozen=True)
-class Biarc:
+class Biarc(OfArcs):
     """Two circular arcs that stand for the curve on one parameter interval.
 
     Attributes:
@@ -41,7 +35,7 @@ class Biarc:
     >>> ends = (1.0, 0.0), (half, half), (0.0, 1.0)
     >>> quarter = Biarc("arc", (0.0, 1.5), *ends, ((0.0, 1.0), (-half, half)), (1.0, 1.0), 0.0)
     >>> quarter.radii, quarter.bounding_box()
-    ((1.0, 1.0), (0.0, 0.0, 1.0, 1.0))
+    ((1.0, 1.0), ((0.0, 0.0), (1.0, 1.0)))
     """
 
     kind: Literal["biarc", "arc"]
@@ -56,13 +50,16 @@ class Biarc:
     @cached_property
     def arcs(self) -> tuple[Piece, Piece]:
         """The two arcs, the curve's interval divided by their lengths."""
-        a, b = self.interval
-        middle = a + self.share * (b - a)
-        ends = (self.start, self.junction), (self.junction, self.end)
-        errors = (self.error, self.error)
-        parts = zip(ends, self.tangents, ((a, middle), (middle, b)), errors)
-        first, last = (Piece.arc(part, *points, tangent, error) for points, tangent, part, error in parts)
+        points = (self.start, self.junction), (self.junction, self.end)
+        parts = zip(pairwise(self.arc_ends), points, self.tangents)
+        first, last = (Piece.arc(part, *ends, tangent, self.error) for part, ends, tangent in parts)
         return first, last
+
+    @property
+    def arc_ends(self) -> tuple[float, float, float]:
+        """The curve's parameters where the arcs begin and end: the interval divided by their lengths."""
+        a, b = self.interval
+        return a, a + self.share * (b - a), b
 
     @property
     def lengths(self) -> tuple[float, float]:
@@ -96,30 +93,6 @@ class Biarc:
             centre = (x - ty / k, y + tx / k) if k else (math.inf, math.inf)
             found.append(centre if all(map(math.isfinite, centre)) else None)
         return found[0], found[1]
-
-    def point(self, u: ArrayLike) -> Floats:
-        """Return the point at u in [0, 1], of u's shape with a last axis of length 2; u = share: junction."""
-        return self._of_arcs(u, Piece.point)
-
-    def tangent(self, u: ArrayLike) -> Floats:
-        """Return the unit tangent there, of u's shape with a last axis of length 2."""
-        return self._of_arcs(u, Piece.tangent)
-
-    def _of_arcs(self, u: ArrayLike, what: Callable[[Piece, Floats], Floats]) -> Floats:
-        u = np.asarray(u, dtype=np.float64)
-        first, last = self.arcs
-        on_first = what(first, np.clip(u / self.share, 0, 1))
-        on_last = what(last, np.clip((u - self.share) / (1 - self.share), 0, 1))
-        return np.where((u <= self.share)[..., None], on_first, on_last)
-
-    def sample(self, n: int) -> Floats:
-        """Return n >= 2 points with u equally spaced and both ends included; shape (n, 2)."""
-        return self.point(np.linspace(0.0, 1.0, n))
-
-    def bounding_box(self) -> tuple[float, float, float, float]:
-        """Return (left, bottom, right, top) from the extreme points themselves."""
-        one, two = (arc.bounding_box() for arc in self.arcs)
-        return min(one[0], two[0]), min(one[1], two[1]), max(one[2], two[2]), max(one[3], two[3])
 
     def to_json(self) -> dict[str, Any]:
         """Return the piece as plain lists and numbers, as in the JSON of a spline.

@@ -26,9 +26,11 @@ import numpy as np
 from osculant.cas.errors import DomainError
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from collections.abc import Callable, Iterable, Sequence
 
-    Floats = NDArray[np.float64]
+    from numpy.typing import ArrayLike
+
+    from osculant.pieces.piece import Floats, PieceLike
 
 Point = tuple[float, float]
 Kind = Literal["ellipse", "parabola", "hyperbola", "segment", "arc"]
@@ -107,7 +109,7 @@ class Piece:
         It must turn by less than 2π; near that its points are ill-conditioned.
 
         >>> Piece.arc((0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)).bounding_box()
-        (-1.0, 0.0, 1.0, 1.0)
+        ((-1.0, 0.0), (1.0, 1.0))
         """
         dx, dy = end[0] - start[0], end[1] - start[1]
         chord = math.hypot(dx, dy)
@@ -126,8 +128,21 @@ class Piece:
 
     @property
     def share(self) -> float:
-        """The part of the interval that belongs to the first of `arcs`."""
+        """The part of the piece that belongs to the first of `arcs`: all."""
         return 1.0
+
+    @property
+    def arc_ends(self) -> tuple[float, float]:
+        """The curve's parameters where `arcs` begin and end: the interval."""
+        return self.interval
+
+    @staticmethod
+    def together(arcs: Sequence[Piece]) -> Callable[[Any, Floats], Floats]:
+        """Return a function that evaluates many arcs at once, for arrays of their indices and of u."""
+        weights = np.array([[arc.weight] for arc in arcs])
+        rows = [(arc.start, arc.end, *arc.legs) for arc in arcs]
+        vectors = np.moveaxis(np.array(rows, dtype=np.float64), 1, 0)  # P₀, P₂, A, B, C
+        return lambda i, u: combine(u[..., None], weights[i], *(vector[i] for vector in vectors))
 
     @property
     def numbers(self) -> int:
@@ -198,11 +213,11 @@ class Piece:
         """Return n >= 2 points X(u) with u equally spaced and both ends included; shape (n, 2)."""
         return self.point(np.linspace(0.0, 1.0, n))
 
-    def bounding_box(self) -> tuple[float, float, float, float]:
-        """Return (left, bottom, right, top) from the arc's extreme points themselves, not from samples.
+    def bounding_box(self) -> tuple[Point, Point]:
+        """Return the lower and upper corners from the arc's extreme points themselves, not from samples.
 
         >>> Piece("ellipse", (0, 3), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), 0.0, 0.0).bounding_box()
-        (-1.0, 0.0, 1.0, 1.0)
+        ((-1.0, 0.0), (1.0, 1.0))
         """
         sides = []
         for axis in (0, 1):
@@ -211,7 +226,8 @@ class Piece:
                 a, b, c = (vector[axis] for vector in self.legs)
                 values += [float(self.point(r / (1 + r))[axis]) for r in _positive_roots(a, c, b)]
             sides.append((min(values), max(values)))
-        return sides[0][0], sides[1][0], sides[0][1], sides[1][1]
+        (left, right), (bottom, top) = sides
+        return (left, bottom), (right, top)
 
     def to_json(self) -> dict[str, Any]:
         """Return the piece as plain lists and numbers, as in the JSON of a spline.
@@ -265,6 +281,27 @@ def _positive_roots(a: float, b: float, c: float) -> list[float]:
     q = -(b + math.copysign(math.sqrt(discriminant), b)) / 2
     roots = [a / q if q else 0.0, q / c if c else 0.0]
     return [r for r in roots if 0 < r < math.inf]
+
+
+def conic_arcs(pieces: Iterable[PieceLike]) -> list[Piece]:
+    """The arcs of pieces in the plane, in order.
+
+    Raises:
+        DomainError: a piece of other arcs.
+
+    >>> len(conic_arcs([Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]))
+    1
+    """
+    found = []
+    for piece in pieces:
+        for arc in piece.arcs:
+            if not isinstance(arc, Piece):
+                raise DomainError(
+                    f"The piece on {piece.interval} is of kind {piece.kind!r}, which is no "
+                    "arc of a conic in the plane: approximate a curve in the plane."
+                )
+            found.append(arc)
+    return found
 
 
 def _floats(values: tuple[float, float]) -> list[float]:

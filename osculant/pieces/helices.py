@@ -19,13 +19,18 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from osculant.cas.errors import DomainError
+from osculant.pieces.piece import OfArcs
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from collections.abc import Callable, Sequence
 
-    Floats = NDArray[np.float64]
+    from numpy.typing import ArrayLike
+
+    from osculant.pieces.piece import Floats
 
 Vector = tuple[float, float, float]
+#: how many numbers an arc takes, given where it begins
+NUMBERS = {"segment": 3, "arc": 5, "helix": 6}
 ArcKind = Literal["helix", "arc", "segment"]
 PieceKind = Literal["bihelix", "helix", "arc", "segment"]
 
@@ -36,7 +41,7 @@ class HelixArc:
 
     Attributes:
         start: p₀.
-        tangent: T₀, a unit vector.
+        direction: T₀, the unit tangent there.
         axis: V, a unit vector; of a segment, its direction.
         curvature: κ >= 0.
         torsion: τ, positive for a right-handed helix.
@@ -45,12 +50,12 @@ class HelixArc:
     >>> turn = HelixArc((1.0, 0.0, 0.0), (0.0, 0.6, 0.8), (0.0, 0.0, 1.0), 0.36, 0.48, 2.5 * math.pi)
     >>> turn.kind, round(turn.turning / math.pi, 12), round(turn.radius, 12), round(turn.pitch, 6)
     ('helix', 1.5, 1.0, 8.37758)
-    >>> turn.point([0.0, turn.length]).round(6).tolist()[1][1:]
+    >>> turn.point([0.0, 1.0]).round(6).tolist()[1][1:]
     [-1.0, 6.283185]
     """
 
     start: Vector
-    tangent: Vector
+    direction: Vector
     axis: Vector
     curvature: float
     torsion: float
@@ -98,27 +103,46 @@ class HelixArc:
     @cached_property
     def _vectors(self) -> tuple[Floats, Floats, Floats]:
         """⟨T₀,V⟩V, T₀ − ⟨T₀,V⟩V and V×T₀."""
-        tangent, axis = np.array(self.tangent), np.array(self.axis)
+        tangent, axis = np.array(self.direction), np.array(self.axis)
         if not self.curvature:
             return tangent, np.zeros(3), np.zeros(3)
         along = np.dot(tangent, axis) * axis
         return along, tangent - along, np.cross(axis, tangent)
 
-    def point(self, s: ArrayLike) -> Floats:
-        """α(s) at arc lengths from the start, of s's shape with a last axis of length 3."""
-        s = np.asarray(s, dtype=np.float64)[..., None]
-        along, across, inward = self._vectors
-        sine, versine = s, np.zeros_like(s)
-        if self.rate:
-            half = self.rate * s / 2
-            sine = np.sin(2 * half) / self.rate
-            versine = 2 * np.sin(half) ** 2 / self.rate  # 1 − cos, without cancellation
-        points: Floats = np.array(self.start) + (s * along + sine * across + versine * inward)
+    @staticmethod
+    def together(arcs: Sequence[HelixArc]) -> Callable[[Any, Floats], Floats]:
+        """Return a function that evaluates many arcs at once, for arrays of their indices and of u."""
+        starts = np.array([arc.start for arc in arcs])
+        sizes = np.array([[[arc.length], [arc.rate]] for arc in arcs])
+        vectors = np.array([arc._vectors for arc in arcs])
+
+        def points(i: Any, u: Floats) -> Floats:
+            lengths, rates = np.moveaxis(sizes[i], -2, 0)
+            found: Floats = starts[i] + _from_start(
+                lengths * u[..., None], rates, *np.moveaxis(vectors[i], -2, 0)
+            )
+            return found
+
         return points
 
-    def tangent_at(self, s: ArrayLike) -> Floats:
-        """The unit tangent at arc lengths from the start, of s's shape with a last axis of length 3."""
-        angle = self.rate * np.asarray(s, dtype=np.float64)[..., None]
+    @property
+    def numbers(self) -> int:
+        """How many numbers store it if its start is known.
+
+        A segment takes 3 (its end). An arc of a circle takes 5: the tangent (2) and the direction of the
+        centre (1), which are its frame, the curvature and the length. A helix takes its torsion besides, 6.
+        """
+        return NUMBERS[self.kind]
+
+    def point(self, u: ArrayLike) -> Floats:
+        """α at the fraction u in [0, 1] of the length, of u's shape with a last axis of length 3."""
+        s = self.length * np.asarray(u, dtype=np.float64)[..., None]
+        points: Floats = np.array(self.start) + _from_start(s, self.rate, *self._vectors)
+        return points
+
+    def tangent(self, u: ArrayLike) -> Floats:
+        """The unit tangent there, of u's shape with a last axis of length 3."""
+        angle = self.turning * np.asarray(u, dtype=np.float64)[..., None]
         along, across, inward = self._vectors
         tangents: Floats = along + np.cos(angle) * across + np.sin(angle) * inward
         return tangents
@@ -126,17 +150,17 @@ class HelixArc:
     @property
     def end(self) -> Vector:
         """The last point."""
-        x, y, z = self.point(self.length).tolist()
+        x, y, z = self.point(1.0).tolist()
         return x, y, z
 
-    def bounds(self) -> tuple[Floats, Floats]:
-        """The lower and upper corners of the smallest box around the arc, from the extreme points themselves.
+    def bounding_box(self) -> tuple[Vector, Vector]:
+        """Return the lower and upper corners of the box around it, from the extreme points themselves.
 
         >>> arc = HelixArc((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), 1.0, 0.0, math.pi)
-        >>> [(corner + 0.0).round(12).tolist() for corner in arc.bounds()]
+        >>> [[round(side, 12) + 0.0 for side in corner] for corner in arc.bounding_box()]
         [[-1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]
         """
-        lengths = [0.0, self.length]
+        places = [0.0, 1.0]
         if self.rate:
             for rise, across, inward in zip(*(v.tolist() for v in self._vectors)):
                 # the tangent's component rise + across·cos + inward·sin is 0
@@ -144,16 +168,17 @@ class HelixArc:
                 if size > abs(rise):
                     middle, away = math.atan2(inward, across), math.acos(-rise / size)
                     angles = ((middle + sign * away) % math.tau for sign in (-1, 1))
-                    lengths += [angle / self.rate for angle in angles if angle < self.turning]
-        points = self.point(lengths)
-        return points.min(axis=0), points.max(axis=0)
+                    places += [angle / self.turning for angle in angles if angle < self.turning]
+        points = self.point(places)
+        (x, y, z), (u, v, w) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+        return (x, y, z), (u, v, w)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data: "kind", "start", "tangent", "axis", "curvature", "torsion", "length", "turning"."""
         return {
             "kind": self.kind,
             "start": list(self.start),
-            "tangent": list(self.tangent),
+            "tangent": list(self.direction),
             "axis": list(self.axis),
             "curvature": self.curvature,
             "torsion": self.torsion,
@@ -163,7 +188,7 @@ class HelixArc:
 
 
 @dataclass(frozen=True)
-class SpacePiece:
+class SpacePiece(OfArcs):
     """A bihelix, or a single helical arc, that stands for the curve on one parameter interval.
 
     Attributes:
@@ -210,48 +235,21 @@ class SpacePiece:
         """The last point."""
         return self.arcs[-1].end
 
-    def _on(self, u: ArrayLike, what: str) -> Floats:
-        """`HelixArc.point` or `HelixArc.tangent_at` at the fraction u of the length."""
-        s = np.asarray(u, dtype=np.float64) * self.length
-        first = self.arcs[0]
-        found: Floats = getattr(first, what)(np.minimum(s, first.length))
-        for arc in self.arcs[1:]:
-            later = getattr(arc, what)(np.clip(s - first.length, 0.0, arc.length))
-            found = np.where((s > first.length)[..., None], later, found)
-        return found
+    @property
+    def share(self) -> float:
+        """The first arc's part of the length."""
+        return self.arcs[0].length / self.length
 
-    def point(self, u: ArrayLike) -> Floats:
-        """The point at the fraction u in [0, 1] of the length; of u's shape with a last axis of length 3."""
-        return self._on(u, "point")
-
-    def tangent(self, u: ArrayLike) -> Floats:
-        """The unit tangent there, likewise."""
-        return self._on(u, "tangent_at")
-
-    def at_parameter(self, t: ArrayLike) -> Floats:
-        """The points for parameters of the curve in the interval, affinely in arc length on each arc.
-
-        So the result is on the piece, but in general not the foot of the curve's point at t.
-        """
-        t = np.asarray(t, dtype=np.float64)
+    @property
+    def arc_ends(self) -> tuple[float, ...]:
+        """The curve's parameters where the arcs begin and end."""
         a, b = self.interval
-        first = self.arcs[0].length / self.length
-        if self.junction is None:
-            return self.point((t - a) / (b - a))
-        left = first * (t - a) / (self.junction - a)
-        right = first + (1 - first) * (t - self.junction) / (b - self.junction)
-        return self.point(np.clip(np.where(t <= self.junction, left, right), 0.0, 1.0))
+        return (a, b) if self.junction is None else (a, self.junction, b)
 
-    def sample(self, n: int) -> Floats:
-        """Return n >= 2 points, equally spaced in arc length, both ends included; shape (n, 3)."""
-        return self.point(np.linspace(0.0, 1.0, n))
-
-    def bounding_box(self) -> tuple[Vector, Vector]:
-        """Return the lower and upper corners of the smallest box around the arcs."""
-        corners = [arc.bounds() for arc in self.arcs]
-        x, y, z = np.min([low for low, _ in corners], axis=0).tolist()
-        u, v, w = np.max([high for _, high in corners], axis=0).tolist()
-        return (x, y, z), (u, v, w)
+    @property
+    def numbers(self) -> int:
+        """How many numbers store it if its start is known: those of its arcs."""
+        return sum(arc.numbers for arc in self.arcs)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data: "kind", "interval", "junction" (null for one arc), "arcs" (dictionaries), "error"."""
@@ -262,3 +260,12 @@ class SpacePiece:
             "arcs": [arc.to_json() for arc in self.arcs],
             "error": float(self.error),
         }
+
+
+def _from_start(s: Floats, rate: Any, along: Floats, across: Floats, inward: Floats) -> Floats:
+    """α(s) − p₀ at arc lengths s, with a last axis of length 1, for one arc or as many as there are s."""
+    turned = np.where(rate == 0, 1.0, rate)  # of a segment, whose vectors across and inward are 0
+    half = turned * s / 2
+    versine = 2 * np.sin(half) ** 2  # 1 − cos, without cancellation
+    offset: Floats = s * along + np.sin(2 * half) / turned * across + versine / turned * inward
+    return offset

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from osculant.cas.errors import DomainError
+from osculant.cas.laws.law import Law
+from osculant.cas.laws.table import law_of
 from osculant.kernels import primitives as codes
 
 
@@ -16,13 +18,21 @@ class Fit:
 
     Attributes:
         code: its number in the kernels.
-        order: the error of one short arc is of this order in its length.
-        dimension: 1 if the error is a length, 2 if it is an area.
+        law: how the error of one short arc depends on its length: its order, and the error's dimension.
     """
 
     code: int
-    order: int
-    dimension: int = 1
+    law: Law
+
+    @property
+    def order(self) -> int:
+        """The error of one short arc is of this order in its length."""
+        return self.law.order
+
+    @property
+    def dimension(self) -> int:
+        """1 if the error is a length, 2 if it is an area."""
+        return self.law.dimension
 
 
 @dataclass(frozen=True)
@@ -45,8 +55,8 @@ class Primitive:
 PRIMITIVES = {
     "parabola": Primitive(
         {
-            "hausdorff": {"bitangent": Fit(codes.PARABOLA, 4)},
-            "area": {"bitangent": Fit(codes.AREA_PARABOLA, 5, 2)},
+            "hausdorff": {"bitangent": Fit(codes.PARABOLA, law_of("parabola"))},
+            "area": {"bitangent": Fit(codes.AREA_PARABOLA, law_of("parabola", "area"))},
         },
         "parabolic",
         "parabola",
@@ -54,10 +64,10 @@ PRIMITIVES = {
     ),
     "conic": Primitive(
         {
-            "hausdorff": {"equioscillating": Fit(codes.CONIC, 5)},
+            "hausdorff": {"equioscillating": Fit(codes.CONIC, law_of("conic"))},
             "area": {
-                "equisymmetric": Fit(codes.EQUISYMMETRIC, 6, 2),
-                "minimal-area": Fit(codes.LEAST_AREA, 6, 2),
+                "equisymmetric": Fit(codes.EQUISYMMETRIC, law_of("conic", "area")),
+                "minimal-area": Fit(codes.LEAST_AREA, law_of("conic", "area")),
             },
         },
         "sextactic",
@@ -66,8 +76,8 @@ PRIMITIVES = {
     ),
     "biarc": Primitive(
         {
-            "hausdorff": {"equioscillating": Fit(codes.BIARC, 3)},
-            "area": {"equisymmetric": Fit(codes.EQUISYMMETRIC_BIARC, 4, 2)},
+            "hausdorff": {"equioscillating": Fit(codes.BIARC, law_of("biarc"))},
+            "area": {"equisymmetric": Fit(codes.EQUISYMMETRIC_BIARC, law_of("biarc", "area"))},
         },
         "vertex",
         "circle",

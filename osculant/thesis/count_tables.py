@@ -1,22 +1,66 @@
 """Tables whose printed numbers are lost: piece counts computed beside what theory predicts.
 
-Table 5 is about biarcs; the thesis's chapter 5 breaks off before its numbers, so the curves are those of its
-tables 3.1 and 3.3, of the sextic one half.
+Tables 4.1, 4.2 and 4.3 are about bihelices, by the thesis's rule and by ours; the thesis breaks off before
+their numbers. Its conical spiral and moment curve are known; of the third curve only that it is a helix of
+constant slope on a sphere. Here it is the epicycloid of a rolling circle of one third of the radius, lifted
+to the sphere of radius 5 with the slope 3:4: its plane projection (4 cos t − cos 4t, 4 sin t − sin 4t) has
+|x|² = 17 − 8 cos 3t, so z² = 8 + 8 cos 3t = (4 cos(3t/2))². Table 5 is about biarcs; chapter 5 breaks off
+before its numbers, too, so the curves are those of tables 3.1 and 3.3, of the sextic one half.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-#: tolerances of the rows
-TOLERANCES = ("1e-2", "1e-3", "1e-4", "1e-6", "1e-8")
-#: name, formula and interval of the curves of table 5
-PLANE_CURVES = (
-    ("spiral", "t*cos(t), t*sin(t)", "pi/6", "2*pi"),
-    ("Cayley's sextic, one half", "4*cos(t/3)**3*cos(t), 4*cos(t/3)**3*sin(t)", "0", "3*pi/4"),
-)
+from osculant.thesis.printed import SEXTIC_HALF, SPIRAL, Curve
+
+
+@dataclass(frozen=True)
+class LostTable:
+    """What is counted in a table.
+
+    Attributes:
+        subject: the pieces, as the caption names them.
+        primitive: likewise, as `osculant.approximate` calls them.
+        curves: by name.
+        tolerances: of the rows.
+        rules: by the name of their column.
+    """
+
+    subject: str
+    primitive: str
+    curves: Mapping[str, Curve]
+    tolerances: tuple[float, ...]
+    rules: Mapping[str, str | None]
+
+
+def _in_space(name: str, curve: Curve) -> LostTable:
+    return LostTable(
+        f"Bihelices of {curve[0]}",
+        "bihelix",
+        {name: curve},
+        (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8),
+        {"thesis rule": "thesis", "our rule": "equioscillating"},
+    )
+
+
+LOST = {
+    "4.1": _in_space("conical spiral", ("t*cos(t), t*sin(t), t", "pi/6", "2*pi")),
+    "4.2": _in_space("moment curve", ("t, t**2, t**3", "0", "1")),
+    "4.3": _in_space(
+        "spherical helix",
+        ("4*cos(t) - cos(4*t), 4*sin(t) - sin(4*t), 4*cos(3*t/2)", "pi/12", "7*pi/12"),
+    ),
+    "5": LostTable(
+        "Biarcs",
+        "biarc",
+        {"spiral": SPIRAL, "Cayley's sextic, one half": SEXTIC_HALF},
+        (1e-2, 1e-3, 1e-4, 1e-6, 1e-8),
+        {"biarc": None},
+    ),
+}
 
 
 @dataclass(frozen=True)
@@ -47,47 +91,29 @@ class CountTable:
             "constants": self.constants,
         }
 
-    def text(self) -> str:
-        """The table in words.
 
-        >>> row = CountRow("spiral", 0.01, {"biarc": 5}, 4.22114)
-        >>> print(CountTable("5", "Biarcs", (row,), {"spiral": "0.909416"}).text())
-        Table 5. Biarcs
-        <BLANKLINE>
-        curve   tolerance  biarc  theory
-        spiral      1e-02      5    4.22
-        <BLANKLINE>
-        constant, spiral  0.909416
-        """
-        rules = list(self.rows[0].pieces)
-        width = max(len("curve"), *(len(row.curve) for row in self.rows))
-        sizes = [max(6, len(rule) + 1) for rule in rules]
-        head = "".join(f"{rule:>{size + 1}}" for rule, size in zip(rules, sizes))
-        lines = [f"Table {self.number}. {self.caption}", "", f"{'curve':<{width}}  tolerance{head}  theory"]
-        for row in self.rows:
-            counts = "".join(f"{row.pieces[rule]:>{size + 1}}" for rule, size in zip(rules, sizes))
-            lines.append(f"{row.curve:<{width}}  {row.tolerance:>9.0e}{counts}  {row.theory:>6.2f}")
-        longest = max(map(len, self.constants))
-        lines += ["", *(f"constant, {name:<{longest}}  {value}" for name, value in self.constants.items())]
-        return "\n".join(lines)
-
-
-def biarc_table(progress: Callable[[float], None] | None = None) -> CountTable:
-    """Compute table 5: biarcs of the spiral and of one half of Cayley's sextic.
+def count_table(number: str, progress: Callable[[float], None] | None = None) -> CountTable:
+    """Compute a table of `LOST`.
 
     Args:
+        number: "4.1", "4.2", "4.3" or "5".
         progress: called after each row with the part that is done.
     """
     from osculant.api import approximate, complexity, curve
 
+    lost = LOST[number]
     rows, constants = [], {}
-    for name, *formula in PLANE_CURVES:
+    for name, formula in lost.curves.items():
         subject = curve(*formula)
-        law = complexity(subject, "biarc")
+        law = complexity(subject, lost.primitive)
         constants[name] = law.constants[0]
-        for tolerance in map(float, TOLERANCES):
-            spline = approximate(subject, "biarc", tolerance)
-            rows.append(CountRow(name, tolerance, {"biarc": len(spline)}, law.predicted(tolerance)))
+        for tolerance in lost.tolerances:
+            pieces = {
+                column: len(approximate(subject, lost.primitive, tolerance, rule=rule))
+                for column, rule in lost.rules.items()
+            }
+            rows.append(CountRow(name, tolerance, pieces, law.predicted(tolerance)))
             if progress is not None:
-                progress(len(rows) / (len(PLANE_CURVES) * len(TOLERANCES)))
-    return CountTable("5", "Biarcs, Hausdorff distance: pieces found and theory", tuple(rows), constants)
+                progress(len(rows) / (len(lost.curves) * len(lost.tolerances)))
+    caption = f"{lost.subject}, Hausdorff distance: pieces found and theory"
+    return CountTable(number, caption, tuple(rows), constants)

@@ -140,7 +140,8 @@ def verify(
     >>> osc.verify("Riemann")
     Traceback (most recent call last):
     ...
-    osculant.cas.errors.DomainError: No claim is called 'Riemann': `osculant verify --list` shows the names.
+    osculant.cas.errors.DomainError: No claim is called 'Riemann': osculant.cas.claims.all_claims() shows the
+    names.
     """
     return check(*chosen(names, chapter, slow), progress)
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import mpmath
 
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.laws.complexity import complexity_constant
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, constant, precision
+from osculant.cas.numbers.balls import PRECISION, constant, precision
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
 SEXTIC = ("4*cos(t/3)^3*cos(t), 4*cos(t/3)^3*sin(t)", "0", "3*pi/4")

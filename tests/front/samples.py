@@ -20,17 +20,16 @@ def circle(a, b, *, radius=1.0, shift=0.0, error=0.0):
     return Piece(classify(weight), (a, b), ends[0], ends[1], middle, weight, error)
 
 
-def spline_of(pieces, *, text="x(t), y(t)", tolerance=1e-6, complexity=None):
+def spline_of(pieces, *, text="x(t), y(t)", primitive="conic", tolerance=1e-6, predict=None):
     return Spline(
-        SimpleNamespace(text=text),
-        "conic",
-        "hausdorff",
-        tolerance,
-        tuple(pieces),
-        "by theory",
-        (),
-        (),
-        complexity,
+        curve=SimpleNamespace(text=text),
+        primitive=primitive,
+        metric="hausdorff",
+        rule=None,
+        tolerance=tolerance,
+        pieces=tuple(pieces),
+        minimal="by theory",
+        predict=predict,
     )
 
 

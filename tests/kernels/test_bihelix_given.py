@@ -104,7 +104,7 @@ def contents_of(text, order, times, scale=1.0):
 def test_contents_are_the_laws_integrals():
     found = contents_of(MOMENT, 3, np.linspace(1, 2, 2001))[-1]
     # the law's constant is this integral, divided by the cube root of 324
-    assert found / 324 ** (1 / 3) == pytest.approx(0.257807, rel=1e-5)  # cas.laws.bihelix_law
+    assert found / 324 ** (1 / 3) == pytest.approx(0.257807, rel=1e-5)  # cas.laws.bihelices
     salkowski = (
         "(-sin(11*t/5)/22 - 2*sin(t/5) - sin(t)/2)*4/5, "
         "(cos(11*t/5)/22 - 2*cos(t/5) + cos(t)/2)*4/5, 4/15*cos(6*t/5)"

@@ -9,8 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.formulas.parser import parse_tuple
-from osculant.cas.laws.complexity import complexity_constant, law_of
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
+from osculant.cas.jets.balls import CurveBalls
+from osculant.cas.laws.complexity import complexity_constant
+from osculant.cas.laws.table import law_of
+from osculant.cas.numbers.balls import PRECISION, precision
 from osculant.codegen.jets import compile_jet
 from osculant.kernels import primitives as codes
 from osculant.kernels.quadrature import contents, predicted

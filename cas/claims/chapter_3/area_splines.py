@@ -12,10 +12,11 @@ from osculant.cas.claims.chapter_3.conic_area import Q, area_at, areas, c, k, k1
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import agrees, positive, read, read_tuple, split, vanishes
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.laws.complexity import integral
-from osculant.cas.laws.leading import canonical_coefficients
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, constant, precision
+from osculant.cas.laws.conics import canonical_coefficients
+from osculant.cas.numbers.balls import PRECISION, constant, precision
+from osculant.cas.numbers.quadrature import integral
 
 a, b, n, eps, content = sp.symbols("a b n eps content", positive=True)
 #: area of an arc: its order in the affine length ρ

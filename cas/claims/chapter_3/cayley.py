@@ -18,8 +18,9 @@ from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve, bracket
 from osculant.cas.geometry.moons import signed_area
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.numbers.balls import CurveBalls, ball, constant, precision
+from osculant.cas.numbers.balls import ball, constant, precision
 
 T = sp.Symbol("t", real=True)
 #: table 3.3's parabolas for ε = 1e-1 … 1e-8, its numbers as printed: they tell which interval was meant

@@ -11,7 +11,7 @@ from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.jets.canonical import affine_arc
-from osculant.cas.laws.leading import canonical_coefficients
+from osculant.cas.laws.conics import canonical_coefficients
 
 rho = sp.Symbol("rho", positive=True)
 k, k1, P, Q, c, x, u = sp.symbols("k k1 P Q c x u", real=True)

@@ -17,7 +17,7 @@ from osculant.cas.errors import DomainError
 from osculant.cas.geometry.pencil import lobe_shape, lobes
 from osculant.cas.jets.canonical import euclidean_arc
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.laws.leading import canonical_coefficients
+from osculant.cas.laws.conics import canonical_coefficients
 from osculant.cas.numbers.power_series import PowerSeries, power
 
 #: κ = c³, so that κ^{1/3} is rational
@@ -302,8 +302,8 @@ def conic_constant(form: str) -> Evidence:
 def _rounds_to(form: str, primitive: str, order: int) -> Evidence:
     from flint import arb
 
-    from osculant.cas.laws.leading import error_constant
+    from osculant.cas.laws.table import law_of
 
-    value = error_constant(primitive).root(order)
+    value = law_of(primitive).ball().root(order)
     shown, half_unit = ((arb(q.numerator) / q.denominator) for q in rounding(form, 3))
     return Evidence(bool(abs(value - shown) < half_unit), (f"the constant is {value.str(12)}",))

@@ -19,7 +19,8 @@ from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
 from osculant.cas.geometry.moons import least_area, moons
-from osculant.cas.numbers.balls import CurveBalls, precision
+from osculant.cas.jets.balls import CurveBalls
+from osculant.cas.numbers.balls import precision
 
 H, LAM, T, TAU = sp.symbols("h lam t tau", positive=True)
 M, S, X, Y = sp.symbols("m s x y", real=True)

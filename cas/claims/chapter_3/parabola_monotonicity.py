@@ -27,8 +27,8 @@ from osculant.cas.claims.proof import integers, read, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
-from osculant.cas.laws.leading import arb_value
-from osculant.cas.numbers.balls import CurveBalls, ball, precision
+from osculant.cas.jets.balls import CurveBalls
+from osculant.cas.numbers.balls import ball, precision
 
 CAYLEY = "4*cos(t/3)^3*cos(t), 4*cos(t/3)^3*sin(t)"
 #: ends tried; parts of an interval on which balls decide a sign, each halved this often where they do not
@@ -224,15 +224,23 @@ def _error(graph: Any, high: Any, at: Any) -> Any:
     parts = {"ends": _polynomial(ends), "inner": _polynomial(inner), "slope": _polynomial(slope)}
 
     def size(x: Any) -> Any:
-        c, b = arb_value(parts["ends"], x) * arb_value(parts["inner"], x), arb_value(first, x)
-        root = (b * b - 4 * arb_value(second, x) * c).sqrt()
-        tilt = arb_value(parts["slope"], x)
+        c, b = _at(parts["ends"], x) * _at(parts["inner"], x), _at(first, x)
+        root = (b * b - 4 * _at(second, x) * c).sqrt()
+        tilt = _at(parts["slope"], x)
         return abs(2 * c / (abs(b) + root)) * (1 + tilt * tilt).sqrt()
 
     if at is not None:
         return size(arb(at)).lower()
     knots = [arb(low.p) + (arb(high.p) / high.q - low.p) * i / (32 * PARTS) for i in range(32 * PARTS + 1)]
     return max((size(ball(one, two)).upper() for one, two in pairwise(knots)), key=float)
+
+
+def _at(polynomial: Any, x: Any) -> Any:
+    """The value of a rational polynomial of flint's at a ball, by Horner's rule."""
+    value = arb(0)
+    for c in reversed(polynomial.coeffs()):
+        value = value * x + arb(c)
+    return value
 
 
 def _polynomial(expression: Any) -> Any:

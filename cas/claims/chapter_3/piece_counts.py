@@ -16,9 +16,10 @@ from osculant.cas.claims.proof import agrees, read, read_tuple, split, vanishes
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
 from osculant.cas.geometry.bitangent import ReferenceCurve
 from osculant.cas.geometry.greedy import greedy_knots
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.laws.complexity import complexity_constant
 from osculant.cas.laws.next_term import density_terms, next_constant
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, constant, precision
+from osculant.cas.numbers.balls import PRECISION, constant, precision
 
 SPIRAL = "t*cos(t), t*sin(t)"
 SEXTIC = ("4*cos(t/3)^3*cos(t), 4*cos(t/3)^3*sin(t)", "0", "3*pi/4")

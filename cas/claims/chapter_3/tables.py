@@ -13,7 +13,7 @@ from osculant.cas.claims.proof import integers, rounding
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.laws.leading import error_constant
+from osculant.cas.laws.table import law_of
 from osculant.cas.numbers.balls import ball, constant, precision
 from osculant.cas.numbers.taylor import program
 
@@ -103,7 +103,7 @@ def enclosed_constant(text: str, low: str, high: str, primitive: str) -> Any:
             least = near[1].real.lower() ** leading * near[2].real.lower().sqrt()
             most = (abs(near[0].real).upper() / least).root(order) * (last - first) * _power(begin, power)
             total += ball(0, most)
-        return total * error_constant(primitive).root(order)
+        return total * law_of(primitive).ball().root(order)
 
 
 def _power(base: Any, exponent: int) -> Any:

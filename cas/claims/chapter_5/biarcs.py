@@ -11,8 +11,10 @@ from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import agrees, read, read_tuple, vanishes
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.biarcs import equioscillating, member
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.laws.arcs import arc_law
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
+from osculant.cas.laws.complexity import complexity_constant
+from osculant.cas.numbers.balls import PRECISION, precision
 
 _k1, _k2 = KAPPA[1], KAPPA[2]
 _sigma = sp.Symbol("sigma", positive=True)
@@ -184,7 +186,7 @@ def complexity_values(form: str) -> Evidence:
         }
     evidence = Evidence(True)
     for (text, (low, high)), stated in zip(ends.items(), (spiral, sextic), strict=True):
-        value = arc_law("biarc").complexity(CurveBalls(parse_tuple(text)), low, high)
+        value = complexity_constant(CurveBalls(parse_tuple(text)), "biarc", low, high)[0]
         evidence &= agrees(float(stated), float(value), 6, text)
     return evidence
 

@@ -14,8 +14,9 @@ from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bitangent import ReferenceCurve
 from osculant.cas.geometry.greedy import greedy_knots
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.laws.complexity import complexity_constant
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
+from osculant.cas.numbers.balls import PRECISION, precision
 
 
 @pytest.mark.parametrize(("primitive", "known"), [("parabola", "0.0550"), ("conic", "0.0484")])

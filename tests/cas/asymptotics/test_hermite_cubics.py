@@ -29,7 +29,7 @@ from osculant.cas.asymptotics.hermite_cubics import (
 )
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
-from osculant.cas.numbers.balls import CurveBalls
+from osculant.cas.jets.balls import CurveBalls
 
 DIGITS = 80
 

@@ -17,10 +17,11 @@ from osculant.cas.derivations.jets import equal
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.laws.leading import error_constant
 from osculant.cas.laws.next_term import curvatures
-from osculant.cas.numbers.balls import CurveBalls, precision
+from osculant.cas.laws.table import law_of
+from osculant.cas.numbers.balls import precision
 
 ORDERS = {"parabola": 4, "conic": 5}
 #: a graph x ↦ (x, y(x)) with generic derivatives, and curves in other parameters
@@ -100,7 +101,7 @@ def test_leading_terms_are_those_of_the_theorem():
     for primitive, form in expected.items():
         assert sp.cancel(arc_error(primitive).leading - form) == 0
     with precision(200):
-        assert error_constant("conic").overlaps(arb(5).sqrt() / 10000)
+        assert law_of("conic").ball().overlaps(arb(5).sqrt() / 10000)
 
 
 def test_the_affine_curvature_used_is_the_derived_one():

@@ -27,18 +27,16 @@ from osculant.cas.formulas.expression import (
     E,
     Node,
     call,
-    from_sympy,
     neg,
     number,
     power,
-    to_sympy,
+    to_text,
     variable,
 )
 from osculant.cas.formulas.graph import fold, topological, variables
 from osculant.cas.formulas.parser import parse
 from osculant.cas.formulas.rationals import BITS, decimal, exact_root
-from osculant.cas.formulas.sympy_bridge import cbrt
-from osculant.cas.formulas.text import to_text
+from osculant.cas.formulas.sympy_bridge import cbrt, from_sympy, to_sympy
 
 s, t = variable("s"), variable("t")
 HALF = Fraction(1, 2)

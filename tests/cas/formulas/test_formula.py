@@ -13,11 +13,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.errors import FormulaError
-from osculant.cas.formulas.expression import PI, E, Node, call, number, power, variable
+from osculant.cas.formulas.expression import PI, E, Node, call, number, power, to_text, variable
 from osculant.cas.formulas.graph import topological
 from osculant.cas.formulas.parser import CHARACTERS, DEPTH, NODES, parse, parse_constant, parse_tuple
 from osculant.cas.formulas.rationals import BITS
-from osculant.cas.formulas.text import to_text
 
 t = variable("t")
 

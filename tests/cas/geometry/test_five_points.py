@@ -20,8 +20,9 @@ from osculant.cas.geometry.five_points import (
     five_point_conic,
     osculating_conic,
 )
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.numbers.balls import CurveBalls, precision
+from osculant.cas.numbers.balls import precision
 from osculant.cas.numbers.fields import Multiprecision
 from osculant.cas.numbers.taylor import program
 

@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.errors import DomainError
-from osculant.cas.formulas.expression import from_sympy, to_sympy
 from osculant.cas.formulas.parser import parse, parse_constant, parse_tuple
+from osculant.cas.formulas.sympy_bridge import from_sympy, to_sympy
 from osculant.cas.invariants.plane import ExactInvariants
 from osculant.cas.jets.plane import INVARIANTS, invariants_at
 from osculant.cas.numbers.fields import Multiprecision

@@ -100,7 +100,7 @@ def test_the_text_is_a_formula_again():
     t = sympy.Symbol("t", real=True)
     for name in ("speed", "curvature", "torsion", "curvature_slope"):
         again = parse(exact.text(name))
-        from osculant.cas.formulas.expression import to_sympy
+        from osculant.cas.formulas.sympy_bridge import to_sympy
 
         assert abs((to_sympy(again) - exact[name]).subs(t, 2).evalf(30)) < 1e-25
 

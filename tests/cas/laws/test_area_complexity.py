@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import mpmath
@@ -12,20 +13,25 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from osculant.cas.claims.chapter_3.area_splines import arc_factor
+from osculant.cas.formulas.expression import ONE
 from osculant.cas.formulas.parser import parse_tuple
+from osculant.cas.formulas.sympy_bridge import from_sympy
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.laws.arcs import arc_law
-from osculant.cas.laws.complexity import complexity_constant, double_exponential, law_constant, law_of
-from osculant.cas.laws.leading import area_constant
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, precision
+from osculant.cas.laws.complexity import complexity_constant, law_integral
+from osculant.cas.laws.table import law_of
+from osculant.cas.numbers.balls import PRECISION, constant, precision
+from osculant.cas.numbers.quadrature import double_exponential
 from tests.cas.constants import SEXTIC, SPIRAL, close, complexity
 
 
 @pytest.mark.parametrize("bits", [53, 320])
 def test_area_constants(bits):
-    assert (area_constant("parabola"), area_constant("conic")) == (Fraction(1, 240), Fraction(1, 7680))
+    exact = [law_of(primitive, "area").constant().value for primitive in ("parabola", "conic")]
+    assert exact == [Fraction(1, 240), Fraction(1, 7680)]
     with precision(bits):
         for primitive, inverse in (("parabola", 240), ("conic", 7680), ("biarc", 576)):
-            c = law_constant(primitive, "area")
+            c = law_of(primitive, "area").ball()
             assert c.contains(arb(1) / inverse) and c.rel_accuracy_bits() > bits - 10
             assert not c.overlaps(arb(1) / (inverse + 1))
 
@@ -35,7 +41,7 @@ def test_area_constants_by_the_curve_itself():
     x = sp.Symbol("x", real=True)
     for order, primitive, shape in ((5, "parabola", (x**2 - 1) ** 2), (6, "conic", x * (x**2 - 1) ** 2)):
         lobe = 2 * sp.integrate(sp.expand(shape), (x, 0, 1)) * sp.Rational(1, {5: 8, 6: 40}[order])
-        assert lobe / 2**order == sp.Rational(area_constant(primitive))
+        assert lobe / 2**order == sp.Rational(law_of(primitive, "area").constant().value)
 
 
 @pytest.mark.parametrize(
@@ -135,18 +141,20 @@ def test_areas_of_what_is_exact():
 def test_the_claims_of_section_3_6_derive_the_same():
     """There the areas of γ and of the approximation are expanded; here the displacement's shape."""
     for primitive in ("parabola", "conic"):
-        assert sp.Rational(area_constant(primitive)) == arc_factor(primitive)
+        assert sp.Rational(law_of(primitive, "area").constant().value) == arc_factor(primitive)
+    curve = CurveBalls(parse_tuple(SPIRAL[0]))
     with precision(PRECISION):
         ends = arb(1), arb(2)
-    curve = CurveBalls(parse_tuple(SPIRAL[0]))
-    value = arc_law("biarc", "area").complexity(curve, *ends)
+        scale = constant(from_sympy(arc_law("biarc", "area").count_constant(1)))
+        law = replace(law_of("biarc", "area"), constant=lambda: ONE)
+        value = scale * law_integral(curve, law, *ends)[0]
     assert abs(value - complexity_constant(curve, "biarc", *ends, "area")[0]) < 1e-18
 
 
 def test_agreement_by_chance_does_not_end_the_quadrature():
     """(|k|/240)^{1/5} dr on [1, 20]: the second and the third step differ by 1e-10, the error is 1e-13."""
     with precision(PRECISION):
-        curve, c = CurveBalls(parse_tuple(SPIRAL[0])), law_constant("parabola", "area")
+        curve, c = CurveBalls(parse_tuple(SPIRAL[0])), law_of("parabola", "area").ball()
         law = law_of("parabola", "area")
         value, change = double_exponential(lambda t: law.density(curve.jet(t, 4), c).mid(), arb(1), arb(20))
     with mpmath.workdps(40):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import mpmath
@@ -14,16 +15,12 @@ from hypothesis import strategies as st
 from osculant.cas.errors import UndecidedError
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
 from osculant.cas.geometry.pencil import lobe_shape
-from osculant.cas.laws.complexity import (
-    LAWS,
-    Law,
-    complexity_constant,
-    double_exponential,
-    law_constant,
-    nodes,
-)
-from osculant.cas.laws.leading import canonical_coefficients, error_constant
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, constant, precision
+from osculant.cas.jets.balls import CurveBalls
+from osculant.cas.laws.complexity import complexity_constant
+from osculant.cas.laws.conics import canonical_coefficients
+from osculant.cas.laws.table import law_of
+from osculant.cas.numbers.balls import PRECISION, constant, precision
+from osculant.cas.numbers.quadrature import double_exponential, nodes
 from tests.cas.constants import SEXTIC, SPIRAL, close, complexity
 
 # Constants of one short arc.
@@ -36,7 +33,7 @@ def test_canonical_coefficients():
 @pytest.mark.parametrize("bits", [53, 320, 1000])
 def test_error_constants(bits):
     with precision(bits):
-        parabola, conic = error_constant("parabola"), error_constant("conic")
+        parabola, conic = law_of("parabola").ball(), law_of("conic").ball()
         assert parabola.contains(arb(1) / 128)
         assert conic.overlaps(1 / (2000 * arb(5).sqrt()))
         for c in (parabola, conic):
@@ -231,7 +228,7 @@ def test_similarities_and_parameters(primitive):
     for curve in same:
         assert close(complexity(primitive, *curve), reference, 18)
     with mpmath.workdps(40):
-        root = mpmath.mpf(1) / LAWS[primitive].order
+        root = mpmath.mpf(1) / law_of(primitive).order
         for scale in ("10^6", "10^(-6)", "3"):
             scaled = complexity(primitive, f"{scale}*t*cos(t), {scale}*t*sin(t)", "1", "3")
             factor = mpmath.mpf(sp.N(sp.sympify(scale.replace("^", "**")), 40)) ** root
@@ -313,10 +310,11 @@ def test_laws():
     """The densities at a jet of which everything is known: the spiral at t = 2 in plain mpmath numbers."""
     with precision(PRECISION):
         jet = CurveBalls(parse_tuple(SPIRAL[0])).jet(arb(2), 5)
-        for primitive, law in LAWS.items():
-            density = law.density(jet, law_constant(primitive))
+        for primitive in ("parabola", "conic", "biarc"):
+            law = law_of(primitive)
+            density = law.density(jet, law.ball())
             with mpmath.workdps(40):
                 expected = spiral_integrand(primitive)(mpmath.mpf(2))
                 assert close(mpmath.mpf(density.mid().str(40, radius=False)), expected, 35)
-        nothing = Law(4, lambda _: arb(0))
+        nothing = replace(law, invariant=lambda _: arb(0))
         assert nothing.density(jet, arb(1)) == 0

@@ -12,10 +12,12 @@ from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
 from osculant.cas.geometry.bitangent import ReferenceCurve
 from osculant.cas.geometry.greedy import greedy_knots
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.laws.complexity import complexity_constant, integral
+from osculant.cas.laws.complexity import complexity_constant
 from osculant.cas.laws.next_term import curvatures, density_terms, next_constant, next_density
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, constant, precision
+from osculant.cas.numbers.balls import PRECISION, constant, precision
+from osculant.cas.numbers.quadrature import integral
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
 ORDERS = {"parabola": 4, "conic": 5}

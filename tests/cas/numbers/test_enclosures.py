@@ -12,7 +12,8 @@ from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry import arc_distance
 from osculant.cas.geometry.arc_distance import distance, from_point, parting
 from osculant.cas.geometry.conic_arcs import ConicArc
-from osculant.cas.numbers.balls import CurveBalls, precision
+from osculant.cas.jets.balls import CurveBalls
+from osculant.cas.numbers.balls import precision
 from osculant.cas.numbers.enclosures import shortened, supremum
 
 numbers = st.floats(-10, 10, allow_subnormal=False)

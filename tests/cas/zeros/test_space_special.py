@@ -7,7 +7,7 @@ import pytest
 
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
-from osculant.cas.numbers.balls import SpaceBalls
+from osculant.cas.jets.balls import SpaceBalls
 from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint, ZeroForm
 from osculant.cas.zeros.space import require_finite, special_points, vanishes
 

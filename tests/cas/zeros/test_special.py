@@ -15,8 +15,9 @@ from hypothesis import strategies as st
 
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.numbers.balls import PRECISION, CurveBalls, constant, padded, precision
+from osculant.cas.numbers.balls import PRECISION, constant, padded, precision
 from osculant.cas.zeros import isolate
 from osculant.cas.zeros import plane as special
 from osculant.cas.zeros.form_zeros import FormZeros

@@ -18,13 +18,14 @@ import pytest
 
 import osculant
 from osculant.cas.errors import OsculantError, UndecidedError
-from osculant.cli import splines as report
+from osculant.cli import output as printing
+from osculant.cli.grammar import UsageError, arrange
 from osculant.cli.main import main
-from osculant.cli.options import UsageError, arrange
+from osculant.cli.splines import print_spline
 from osculant.files.writing import SUFFIXES, listed
-from osculant.spline import Spline
+from tests.front.samples import circle, spline_of
 
-DATA = Path(__file__).parents[1] / "data"
+DATA = Path(__file__).parents[2] / "data"
 GOLDEN = sorted(DATA.glob("golden-*.json"))
 SPIRAL = ["t*cos(t), t*sin(t)", "--from", "pi/6", "--to", "2*pi"]
 CUBIC = ["approximate", "t, t^3", "--from", "0", "--to", "1"]
@@ -118,7 +119,7 @@ MISTAKES = {
     "no command": (["aproximate"], "'aproximate': did you mean approximate"),
     "strange command": (
         ["t, t^2"],
-        "choose one of approximate, complexity, germ, invariants, tables, verify",
+        "choose one of approximate, cache, complexity, germ, invariants, tables, verify",
     ),
     "option before": (["--verson"], "'--verson': did you mean --version"),
     "unknown option": ([*CUBIC, "--tolerence", "1"], "'--tolerence': did you mean --tolerance"),
@@ -180,7 +181,7 @@ def test_outputs_are_refused_before_the_work(options, says, tmp_path, capsys, mo
     (tmp_path / "file").write_text("")
     (tmp_path / "folder.svg").mkdir()
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(osculant, "approximate", lambda *_, **__: pytest.fail("worked"), raising=False)
+    monkeypatch.setattr("osculant.api.approximate", lambda *_, **__: pytest.fail("worked"))
     before = sorted(tmp_path.rglob("*"))
     assert main([*CUBIC, *options]) == 2
     output = capsys.readouterr()
@@ -199,7 +200,7 @@ def test_known_suffixes_are_those_of_the_spline(tmp_path, capsys):
     assert main([*CUBIC, "--with", "biarc", "--tolerance", "1e-3", "--write", *map(str, files)]) == 0
     assert all(file.stat().st_size for file in files)
     with pytest.raises(OsculantError, match=re.escape(listed(SUFFIXES))):
-        Spline.write(None, "spline.xyz")
+        spline_of([circle(0.0, 1.0)]).write("spline.xyz")
 
 
 def test_several_files_are_written(tmp_path, capsys):
@@ -238,7 +239,7 @@ def test_an_unknown_prediction_does_not_hide_the_spline(capsys):
         raise UndecidedError("The integral did not settle.")
 
     for given, name in (("tolerance", "predicted"), ("pieces", "predicted error")):
-        report.print_spline(replace(spline, complexity=unsettled, given=given), 0.1, ())
+        print_spline(replace(spline, predict=unsettled, given=given), 0.1, ())
         unknown = rf"^{name} +unknown: the integral of the theory did not settle$"
         assert re.search(unknown, capsys.readouterr().out, re.MULTILINE)
 
@@ -353,7 +354,7 @@ def test_control_c_is_status_130(monkeypatch, capsys):
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(osculant, "approximate", interrupted, raising=False)
+    monkeypatch.setattr("osculant.api.approximate", interrupted)
     assert main(CUBIC) == 130
     assert "Traceback" not in capsys.readouterr().err
 
@@ -362,7 +363,7 @@ def test_a_defect_is_told_from_a_mistake(monkeypatch, capsys):
     def broken(*_: object, **__: object) -> None:
         raise ZeroDivisionError("oh")
 
-    monkeypatch.setattr(osculant, "approximate", broken, raising=False)
+    monkeypatch.setattr("osculant.api.approximate", broken)
     monkeypatch.delenv("OSCULANT_DEBUG", raising=False)
     assert main(CUBIC) == 1
     assert "defect of osculant (ZeroDivisionError: oh)" in capsys.readouterr().err
@@ -378,24 +379,55 @@ class Terminal(io.StringIO):
 
 def test_a_bar_is_shown_on_a_terminal_to_those_who_wait(monkeypatch):
     for patience, shown in ((0.0, True), (math.inf, False)):
-        monkeypatch.setattr(report, "PATIENCE", patience)
+        monkeypatch.setattr(printing, "PATIENCE", patience)
         monkeypatch.setattr(sys, "stderr", Terminal())
-        with report.Waiting("counting") as progress:
+        with printing.Waiting("counting") as progress:
             progress(0.25)
             progress(1.0)
         assert ("counting" in sys.stderr.getvalue()) == shown
 
 
+def test_no_bar_without_an_output_for_it(monkeypatch):
+    monkeypatch.setattr(printing, "PATIENCE", 0.0)
+    monkeypatch.setattr(sys, "stderr", None)  # as Python has it where that was closed before the start
+    with printing.Waiting("counting") as progress:
+        progress(0.5)
+    assert main([]) == 0 and main(["aproximate"]) == 2
+
+
 def test_no_bar_in_a_pipe(monkeypatch, capsys):
-    monkeypatch.setattr(report, "PATIENCE", 0.0)
-    with report.Waiting("counting") as progress:
+    monkeypatch.setattr(printing, "PATIENCE", 0.0)
+    with printing.Waiting("counting") as progress:
         progress(0.5)
     assert capsys.readouterr().err == ""
 
 
+def test_the_notice_of_compiling_is_no_part_of_the_answer(capsys):
+    printing.announce_compiling()
+    output = capsys.readouterr()
+    assert output.out == "" and re.fullmatch(r"osculant: compiling its kernels .*\.\n", output.err)
+
+
+def test_long_texts_are_broken_beside_their_names(capsys):
+    printing.print_rows([("name", "one two three\nfour"), ("", "five")], least=8, columns=16)
+    assert capsys.readouterr().out == f"name    one two\n{' ' * 8}three\n{' ' * 8}four\n{' ' * 8}five\n"
+
+
+def test_an_output_without_letters_has_question_marks():
+    fold = ["x, y^2", "--source", "x y", "--certificate"]
+    done = subprocess.run(
+        [sys.executable, "-m", "osculant", "germ", *fold],
+        env={**os.environ, "PYTHONIOENCODING": "ascii"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert "contains M^2? (l = 1)" in done.stdout
+
+
 def test_a_process_of_its_own():
     def run(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "osculant.cli.main", *arguments]
+        command = [sys.executable, "-m", "osculant", *arguments]
         return subprocess.run(command, capture_output=True, text=True, check=False, **options)
 
     refused = run("approximate", "t, 1/t", "--from", "-1", "--to", "1")
@@ -413,7 +445,7 @@ def test_a_full_disk_and_a_reader_who_went_away():
     command = [
         sys.executable,
         "-m",
-        "osculant.cli.main",
+        "osculant",
         "invariants",
         "t, t^2",
         "--at",

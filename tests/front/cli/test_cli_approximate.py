@@ -10,9 +10,10 @@ from types import SimpleNamespace
 import pytest
 
 import osculant
-from osculant.cli import splines as report
+from osculant.cli.grammar import UsageError
 from osculant.cli.main import main
-from osculant.cli.options import UsageError, writing_options
+from osculant.cli.options import writing_options
+from osculant.cli.splines import UNSPLIT, print_spline
 from osculant.spline import Spline
 from tests.front.cli.test_cli import assert_one_sentence
 from tests.front.samples import circle, spline_of
@@ -33,7 +34,7 @@ def run(capsys, *arguments: str) -> dict[str, str]:
 
 
 def printed(capsys, spline: Spline) -> dict[str, str]:
-    report.print_spline(spline, 0.1, ())
+    print_spline(spline, 0.1, ())
     return rows_of(capsys.readouterr().out)
 
 
@@ -79,7 +80,7 @@ def test_never_split_says_what_is_not_proved(capsys):
     split = run(capsys, "approximate", *curve)
     unsplit = run(capsys, "approximate", *curve, "--split", "never")
     assert split["split points"] != "none" and "split" not in split
-    assert unsplit["split points"] == "none" and unsplit["split"] == report.UNSPLIT
+    assert unsplit["split points"] == "none" and unsplit["split"] == UNSPLIT
     assert unsplit["minimal"] == "unknown" and int(unsplit["pieces"]) <= int(split["pieces"])
 
 
@@ -118,7 +119,7 @@ def test_the_best_primitive_and_why(capsys):
 def test_what_is_proved_is_rounded_outwards(capsys):
     spline = spline_of([circle(1.0, 3.0, error=1e-3)], tolerance=2e-3)
     proof = SimpleNamespace(lower=1.23456789012e-3, upper=1.23456789098e-3, within=True)
-    spline._proofs.append(proof)
+    object.__setattr__(spline, "certificate", proof)  # as certify does
     rows = printed(capsys, spline)
     assert rows["certified"] == "at least 0.00123456789, at most 0.001234567891: within the tolerance"
     assert rows["error"] == "0.001234567891 (certified)"

@@ -48,10 +48,12 @@ def test_ways_to_give_an_end(end):
         ("t, t^3", 2, "sqrt(2)", osc.DomainError, "empty or reversed"),
         ("t, t^3", "2*pi", "pi+pi", osc.DomainError, "empty or reversed"),
         ("t, t^3", 0, math.inf, osc.FormulaError, "inf"),
-        ("t, t^3", math.nan, 1, osc.FormulaError, "nan"),
+        ("t, t^3", math.nan, 1, osc.FormulaError, "^low is nan: "),
         ("t, t^3", 0, "sqrt(-1)", osc.FormulaError, "sqrt"),
         ("t, t^3", 0, None, osc.DomainError, "both ends"),
-        ("t, t^3", 0, "t", osc.FormulaError, "--to"),
+        ("t, t^3", 0, "t", osc.FormulaError, "^high: "),
+        ("t, t^3", "1/x", 1, osc.FormulaError, "^low: "),
+        ("t, t^3", 0, "1/0", osc.FormulaError, "^high"),
     ],
 )
 def test_refused_curves(formulas, low, high, error, words):

@@ -16,10 +16,11 @@ from osculant.approximation.space_approximation import approximate_in_space, com
 from osculant.cas.errors import DomainError, FormulaError, ToleranceError
 from osculant.cli.invariants import invariants_data, print_invariants, print_values, values_data
 from osculant.cli.splines import print_spline
+from osculant.cli.tables import print_counts
 from osculant.curves.extent import extent
 from osculant.curves.plane import PlaneCurve
 from osculant.curves.space import SpaceCurve
-from osculant.thesis.space_tables import LOST
+from osculant.thesis.count_tables import count_table
 
 CONE = ("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
 MOMENT = ("t, t^2, t^3", "0", "1")
@@ -293,10 +294,12 @@ def test_constants_against_mpmath():
     assert abs(mp.mpf(constant) - expected) < 1e-15
 
 
-def test_tables():
-    table = LOST["4.2"]()
+def test_tables(capsys):
+    table = count_table("4.2")
     rows = {row.tolerance: row for row in table.rows}
     assert rows[1e-6].pieces == {"thesis rule": 27, "our rule": 25}
     assert rows[1e-6].theory == pytest.approx(24.8087, abs=1e-4)
-    assert "moment curve" in table.text()
+    assert table.caption == "Bihelices of t, t**2, t**3, Hausdorff distance: pieces found and theory"
+    print_counts(table)
+    assert "moment curve" in capsys.readouterr().out
     json.dumps(table.to_json())

@@ -153,9 +153,9 @@ def test_chords_of_helices(kept, tmp_path):
     points = np.array([tuple(vertex.dxf.location) for vertex in polyline.vertices])
     n = math.ceil(4.0 * math.sqrt(0.5 / (8 * kept)))
     assert len(points) == n + 1
-    assert np.abs(points - arc.point(np.linspace(0, 4, n + 1))).max() < 1e-14
+    assert np.abs(points - arc.point(np.linspace(0, 1, n + 1))).max() < 1e-14
     middles = (points[1:] + points[:-1]) / 2
-    worst = np.linalg.norm(middles - arc.point((np.arange(n) + 0.5) * 4 / n), axis=1).max()
+    worst = np.linalg.norm(middles - arc.point((np.arange(n) + 0.5) / n), axis=1).max()
     assert 0.95 * kept < worst <= kept
     chords = dict(document.header.custom_vars.properties)["chords"]
     assert chords == f"1 helical arcs, at most {kept!r} more"

@@ -6,7 +6,6 @@ import math
 import re
 from fractions import Fraction
 from itertools import pairwise
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -21,7 +20,6 @@ from osculant.files.motions import rounded_centre
 from osculant.pieces.biarcs import Biarc
 from osculant.pieces.conics import Piece
 from osculant.pieces.helices import HelixArc, SpacePiece
-from osculant.space_spline import SpaceSpline
 from osculant.tolerances import writing_reserve
 from tests.front.approximation.test_approximate import points_of
 from tests.front.samples import spline_of
@@ -321,8 +319,7 @@ def helix(axis, sense, curvature, torsion, length, tilt=0.0):
 
 def space_spline(arcs, tolerance=1e-3):
     pieces = tuple(SpacePiece((i, i + 1), (arc,), 0.0) for i, arc in enumerate(arcs))
-    curve = SimpleNamespace(text="x(t), y(t), z(t)")
-    return SpaceSpline(curve, "bihelix", "thesis", "hausdorff", tolerance, pieces, "unknown")
+    return spline_of(pieces, text="x(t), y(t), z(t)", primitive="bihelix", tolerance=tolerance)
 
 
 @settings(max_examples=100, deadline=None)
@@ -343,8 +340,8 @@ def test_helices_about_coordinate_axes(axis, sense, curvature, torsion, turning)
     path = np.concatenate([trace(move) for move in moves])
     turned = np.cumsum([0.0, *(abs(sweep(move)[1]) for move in moves)])
     share = np.concatenate([np.linspace(a, b, 9) for a, b in pairwise(turned / turned[-1])])
-    off = path - arc.point(share * arc.length)
-    ahead = np.array([arc.tangent_at(s) for s in share * arc.length])
+    off = path - arc.point(share)
+    ahead = arc.tangent(share)
     along = (off * ahead).sum(axis=1, keepdims=True)  # on a thin helix the angle is known less well
     assert np.abs(off - along * ahead).max() <= 2.5e-10
     assert np.abs(along).max() <= 1e-9
@@ -377,7 +374,7 @@ def test_other_helices_are_chords_with_their_own_error():
             assert f"(chords: 1 helical arcs, at most {kept!r} more)" in text
             path = np.concatenate([trace(move, 17) for move in moves])
             share = np.concatenate([(k + np.linspace(0, 1, 17)) / n for k in range(n)])
-            worst = np.linalg.norm(path - arc.point(share * arc.length), axis=1).max()
+            worst = np.linalg.norm(path - arc.point(share), axis=1).max()
             assert 0.95 * kept < worst <= kept
     nearly = helix(2, 1, 0.5, 0.3, 4.0, tilt=3e-12)
     assert {move[0] for move in interpret(gcode(space_spline([nearly])))[1]} == {"G3"}
@@ -392,7 +389,7 @@ def test_planes_change_as_needed():
     arcs = [helix(axis, 1, 0.5, 0.3, 4.0) for axis in (2, 1, 1, 0)]
     chain = [arcs[0]]
     for arc in arcs[1:]:
-        chain.append(HelixArc(chain[-1].end, arc.tangent, arc.axis, arc.curvature, arc.torsion, arc.length))
+        chain.append(HelixArc(chain[-1].end, arc.direction, arc.axis, arc.curvature, arc.torsion, arc.length))
     words = re.findall(r"^G1[789]", gcode(space_spline(chain)), re.MULTILINE)
     assert words == ["G17", "G18", "G19"]
     first = gcode(space_spline([helix(1, 1, 0.5, 0.3, 4.0)]), feed=1e-5).splitlines()[-4:-1]

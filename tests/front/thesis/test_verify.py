@@ -258,7 +258,7 @@ def test_all_wins(capsys):
 
 def test_ascii_output_has_question_marks_and_json_escapes():
     def output(*options: str, encoding: str) -> str:
-        command = [sys.executable, "-m", "osculant.cli.main", "verify", QUICK, "--list", *options]
+        command = [sys.executable, "-m", "osculant", "verify", QUICK, "--list", *options]
         done = subprocess.run(
             command,
             env={**os.environ, "PYTHONIOENCODING": encoding, "COLUMNS": "120"},
