@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from osculant.approximation.space_fitting import SpaceFitting
-from osculant.approximation.space_stretches import divide
+from osculant.approximation.coordinates import Coordinates
+from osculant.approximation.division import divide
 from osculant.curves.extent import extent
 from osculant.curves.space import SpaceCurve
 from osculant.kernels import bihelix_spline
@@ -26,9 +26,8 @@ STEPS = 400
 
 def scan(curve: SpaceCurve, rule: int) -> tuple[int, int, float]:
     """(arcs that had a bihelix, falls, largest error before the first fall) over `STEPS` longer arcs."""
-    division = divide(curve)
-    fitting = SpaceFitting(curve, "equioscillating", division, extent(curve))
-    stretch = division.stretches[0]
+    place = Coordinates(curve, extent(curve)).place()
+    stretch = divide(curve, "bihelix").stretches[0]
     compiled, table = curve.compiled, np.empty((1, bihelix_spline.COLUMNS))
     times = np.linspace(stretch.a, stretch.b, STEPS + 1)
     jets = np.empty((len(times), JET_SIZE))
@@ -39,7 +38,7 @@ def scan(curve: SpaceCurve, rule: int) -> tuple[int, int, float]:
     errors = []
     for b, last in zip(map(float, times[1:]), (tuple(map(float, row)) for row in frames[1:])):
         count, reached, _ = bihelix_spline.spline(
-            rule, compiled.address, fitting.place, stretch.a, first, b, last, 0.999e9, 1e9, 0.0, table
+            rule, compiled.address, place, stretch.a, first, b, last, 0.999e9, 1e9, 0.0, table
         )
         if count == 1 and reached == b:
             errors.append(float(table[0, 2]))

@@ -21,10 +21,9 @@ from rich.table import Table
 
 import osculant as osc
 from osculant.approximation.arcs import Arcs
+from osculant.approximation.coordinates import Coordinates
 from osculant.approximation.division import divide
 from osculant.approximation.fitting import Fitting
-from osculant.approximation.space_fitting import SpaceFitting
-from osculant.approximation.space_stretches import divide as divide_in_space
 from osculant.codegen.jets import compile_jet
 from osculant.curves.extent import extent
 from osculant.curves.space import SpaceCurve
@@ -57,7 +56,7 @@ class KernelRun:
     def __init__(self, primitive: str, tolerance: float, metric: str = "hausdorff") -> None:
         self.curve = osc.curve(*SPIRAL)
         fit, size = choose(primitive, metric), extent(self.curve)
-        (part,) = Fitting(self.curve, primitive, fit, divide(self.curve, primitive), size).parts
+        (part,) = Fitting(self.curve, fit, divide(self.curve, primitive), size).parts
         assert isinstance(part, Arcs)
         self.table = np.empty((4096, greedy.COLUMNS))
         self.job = part.job(*window(tolerance, size.rounding(fit.dimension)))
@@ -87,7 +86,7 @@ class KernelRun:
 def kernel_rows() -> list[tuple[str, str, str]]:
     """Time and samples per piece of the spiral."""
     rows = []
-    for primitive in PRIMITIVES:
+    for primitive in PRIMITIVES[2]:
         for tolerance in (1e-4, 1e-6, 1e-8, 1e-10):
             run = KernelRun(primitive, tolerance)
             pieces = run()
@@ -102,12 +101,12 @@ def area_rows() -> list[tuple[str, str, str]]:
     """Time per piece of the spiral for the least n with n pieces of area ε/n, all passes together."""
     rows = []
     curve = osc.curve(*SPIRAL)
-    for primitive in PRIMITIVES:
+    for primitive in PRIMITIVES[2]:
         fit, division = choose(primitive, "area"), divide(curve, primitive)
-        fitting = Fitting(curve, primitive, fit, division, extent(curve))
+        fitting = Fitting(curve, fit, division, extent(curve))
         for tolerance in (1e-4, 1e-6):
-            pieces = sum(map(len, fitting.of_area(tolerance)))
-            seconds = median_seconds(partial(fitting.of_area, tolerance), REPEATS)
+            pieces = fitting.for_area(tolerance).count
+            seconds = median_seconds(partial(fitting.for_area, tolerance), REPEATS)
             wanted = "10 µs" if (primitive, tolerance) == ("conic", 1e-6) else ""
             name = f"spiral, area {tolerance:g} in all, {pieces} × {primitive}: per piece"
             rows.append((name, f"{1e6 * seconds / pieces:.2f} µs", wanted))
@@ -117,17 +116,16 @@ def area_rows() -> list[tuple[str, str, str]]:
 def bihelix_row() -> tuple[str, str, str]:
     """Time per bihelix of the conical spiral."""
     curve = SpaceCurve("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
-    division = divide_in_space(curve)
-    fitting = SpaceFitting(curve, "equioscillating", division, extent(curve))
-    (stretch,) = division.stretches
+    fit, (stretch,) = choose("bihelix", "hausdorff", dimension=3), divide(curve, "bihelix").stretches
+    size = extent(curve)
     table = np.empty((4096, bihelix_spline.COLUMNS))
     ends = [(*frame.point, *frame.tangent) for frame in (stretch.start, stretch.end)]
-    address, place = curve.compiled.address, fitting.place
-    low, high = window(1e-6, fitting.size.rounding())
+    address, place = curve.compiled.address, Coordinates(curve, size).place()
+    low, high = window(1e-6, size.rounding())
 
     def run() -> int:
         found = bihelix_spline.spline(
-            fitting.rule, address, place, stretch.a, ends[0], stretch.b, ends[1], low, high, 0.0, table
+            fit.code, address, place, stretch.a, ends[0], stretch.b, ends[1], low, high, 0.0, table
         )
         return int(found[0])
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from osculant.approximation.division import check_finite, divide
-from osculant.approximation.prediction import Complexity, complexity_of
+from osculant.approximation.approximate import approximate_best, approximate_curve
+from osculant.approximation.prediction import Complexity, complexity_of_curve
 from osculant.cas.errors import DomainError
 from osculant.curves.curve import coordinates_of
 from osculant.curves.plane import PlaneCurve
 from osculant.curves.space import SpaceCurve
-from osculant.primitives.table import choose
+from osculant.primitives.table import USUAL
 from osculant.spline import Spline
 
 
@@ -99,18 +99,12 @@ def approximate(
     """
     _check_curve(curve)
     wanted: dict[str, Any] = {
-        "pieces": pieces, "rule": rule, "metric": metric, "split_at": _several(split_at), "progress": progress
+        "pieces": pieces, "rule": rule, "metric": metric, "closed": closed, "split": split,
+        "split_at": _several(split_at), "progress": progress,
     }  # fmt: skip
-    primitive = primitive or _usual(curve)
-    if isinstance(curve, SpaceCurve) or primitive == "bihelix":
-        from osculant.approximation.space_approximation import approximate_in_space
-
-        return approximate_in_space(curve, primitive, tolerance, closed=closed, split=split, **wanted)
-    from osculant.approximation.approximate import approximate_in_plane, approximate_with_least_numbers
-
     if primitive == "best":
-        return approximate_with_least_numbers(curve, tolerance, closed=closed, split=split, **wanted)
-    return approximate_in_plane(curve, primitive, tolerance, closed=closed, split=split, **wanted)
+        return approximate_best(curve, tolerance, **wanted)
+    return approximate_curve(curve, primitive or USUAL[curve.dimension], tolerance, **wanted)
 
 
 def complexity(
@@ -135,18 +129,8 @@ def complexity(
     33
     """
     _check_curve(curve)
-    split_at = _several(split_at)
-    primitive = primitive or _usual(curve)
-    if isinstance(curve, SpaceCurve) or primitive == "bihelix":
-        from osculant.approximation.space_approximation import complexity_in_space
-
-        if next_term:
-            raise DomainError("The second term is not known for bihelices: ask without next_term.")
-        return complexity_in_space(curve, primitive, metric=metric, split_at=split_at)
-    choose(primitive, metric)
-    check_finite(curve)
-    division = divide(curve, primitive, split_at)
-    return complexity_of(curve, primitive, division, (1,) * len(division.stretches), next_term, metric)
+    primitive = primitive or USUAL[curve.dimension]
+    return complexity_of_curve(curve, primitive, metric, _several(split_at), next_term)
 
 
 def _check_curve(curve: Any) -> None:
@@ -159,7 +143,3 @@ def _check_curve(curve: Any) -> None:
 def _several(split_at: Any) -> Sequence[Any]:
     """The parameter values as a sequence, also if there is one only."""
     return split_at if isinstance(split_at, Sequence) and not isinstance(split_at, str) else [split_at]
-
-
-def _usual(curve: PlaneCurve | SpaceCurve) -> str:
-    return "bihelix" if isinstance(curve, SpaceCurve) else "conic"

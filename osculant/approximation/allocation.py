@@ -18,6 +18,8 @@ from osculant.cas.errors import DomainError, UndecidedError
 
 #: greedy pieces are checked for one too many only up to so many of them
 CHECKED_PIECES = 20_000
+#: so few greedy pieces are checked for one too many in any case where errors are not monotone
+FEW = 30
 #: a last piece that is less than this part of a full one is looked at in any case
 CLOSE = 0.02
 #: bisections of the level, and the ratio that ends them
@@ -26,7 +28,7 @@ STEPS, NARROW = 200, 1e-9
 WINDOW = 1e-7
 
 
-def within(
+def fewest(
     part: Part, low: float, high: float, tolerance: float, progress: Progress | None = None
 ) -> tuple[Run, bool]:
     """(the fewest pieces of a stretch with errors up to the tolerance, whether that is certain).
@@ -39,8 +41,18 @@ def within(
         return run, not run.limited
     if len(run) > CHECKED_PIECES:
         return run, False
-    fewer = equalise(part, len(run) - 1)
-    return (fewer if fewer.error <= tolerance else run), not run.limited
+    less = equalise(part, len(run) - 1)
+    return (less if less.error <= tolerance else run), not run.limited
+
+
+def fewer(part: Part, run: Run, tolerance: float) -> Run:
+    """The run, or fewer pieces where errors that fall as arcs grow have ended greedy pieces early."""
+    while not part.exact and part.least < len(run) <= FEW:
+        less = equalise(part, len(run) - 1)
+        if less.error > tolerance:
+            break
+        run = less
+    return run
 
 
 def may_be_less(part: Part, run: Run, low: float, high: float, level: float) -> bool:

@@ -16,19 +16,13 @@ from osculant.kernels import search as greedy
 from osculant.kernels.counting import count_larger
 from osculant.kernels.curves.plane import JET_SIZE, Place, Source
 from osculant.kernels.given_knots import fit_arcs
-from osculant.kernels.primitives import BIARCS, PARABOLAS
 from osculant.kernels.quadrature import contents
-from osculant.pieces.biarcs import Biarc
-from osculant.pieces.conics import Piece, classify
 
 if TYPE_CHECKING:
+    from osculant.approximation.coordinates import Coordinates, Local
     from osculant.approximation.division import Stretch
-    from osculant.curves.extent import Extent
-    from osculant.curves.plane import PlaneCurve
-    from osculant.primitives.table import Fit
+    from osculant.primitives.primitive import Fit
 
-#: rounding units of the largest coordinate that positions may be wrong by
-NOISE_ULPS = 4
 #: pieces per call of the kernel
 CHUNK = 4096
 #: more pieces than this are not made
@@ -37,8 +31,6 @@ MOST_PIECES = 5_000_000
 CONTENT_POINTS, LEAST_POINTS = 4, 256
 #: an error, in the kernels' units, that no piece has
 BOUNDLESS = 1e100
-
-Local = tuple[float, float, float, float]
 
 
 class Job(NamedTuple):
@@ -56,34 +48,6 @@ class Job(NamedTuple):
     length: float
 
 
-class Coordinates:
-    """The kernels' coordinates of a curve: moved to its first point and scaled to a size of about 1."""
-
-    def __init__(self, curve: PlaneCurve, size: Extent) -> None:
-        x, y = size.origin
-        self.curve, self.origin, self.scale, self.size = curve, (x, y), size.scale, size
-        self.noise = NOISE_ULPS * math.ulp(size.largest) * size.scale
-
-    def place(self, bend: float) -> Place:
-        """What kernels take as the place of a curve that bends to the left (1) or to the right (−1)."""
-        return (*self.origin, self.scale, bend, self.noise)
-
-    def local(self, frame: Frame, bend: float) -> Local:
-        """A frame in the kernels' coordinates."""
-        (x, y), (tx, ty) = frame.point, frame.tangent
-        return (
-            (x - self.origin[0]) * self.scale,
-            (y - self.origin[1]) * self.scale * bend,
-            tx,
-            ty * bend,
-        )
-
-    def user(self, x: float, y: float, bend: float) -> tuple[float, float]:
-        """A point of the kernels' in the user's coordinates."""
-        back = 1.0 / self.scale
-        return x * back + self.origin[0], y * back * bend + self.origin[1]
-
-
 class Arcs:
     """A stretch where curve and primitive differ, for a fit: a `osculant.approximation.runs.Part`."""
 
@@ -92,8 +56,8 @@ class Arcs:
     def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch) -> None:
         self.coordinates, self.fit, self.stretch = coordinates, fit, stretch
         self.order, self.ends = fit.order, (stretch.a, stretch.b)
-        self.unit = coordinates.scale**fit.dimension
-        self.noise = NOISE_ULPS * coordinates.size.rounding(fit.dimension)
+        self.unit = coordinates.scale**fit.degree
+        self.noise = coordinates.error_noise(fit.degree)
 
     @cached_property
     def least(self) -> int:
@@ -203,39 +167,8 @@ class Arcs:
             bool((reasons == greedy.ENDS_EARLY).any()),
         )
 
-    def pieces(self, run: Run) -> list[Piece | Biarc]:
+    def pieces(self, run: Run) -> list[Any]:
         """The pieces themselves, in the user's coordinates."""
-        make = self._biarc if self.fit.code in BIARCS else self._conic
-        return [make(row, float(error)) for row, error in zip(run.rows, run.errors, strict=True)]
-
-    def _conic(self, row: np.ndarray[Any, Any], error: float) -> Piece:
-        """A row of the kernel's table (`greedy.record`) as a conic arc."""
-        a, b, q, _, _, x0, y0, tx, ty, x2, y2, w, reach, _, _ = (float(v) for v in row)
-        at, bend = self.coordinates, self.stretch.bend
-        start, end = at.user(x0, y0, bend), at.user(x2, y2, bend)
-        if q == 0:
-            return Piece.segment((a, b), start, end, error)
-        kind = classify(w)
-        if self.fit.code in PARABOLAS:
-            kind, w = "parabola", 1.0
-        reach /= at.scale
-        middle = (w * start[0] + reach * tx, w * start[1] + reach * ty * bend)
-        return Piece(kind, (a, b), start, end, middle, w, error)
-
-    def _biarc(self, row: np.ndarray[Any, Any], error: float) -> Biarc:
-        """A row of the kernel's table as a biarc."""
-        a, b, _, _, _, x0, y0, tx, ty, x2, y2, x1, y1, *bends = (float(v) for v in row)
-        at, bend = self.coordinates, self.stretch.bend
-        chord = math.hypot(x1 - x0, y1 - y0)
-        dx, dy = (x1 - x0) / chord, (y1 - y0) / chord
-        dot, cross = tx * dx + ty * dy, tx * dy - ty * dx
-        return Biarc(
-            "arc" if self.exact and error == 0 else "biarc",
-            (a, b),
-            at.user(x0, y0, bend),
-            at.user(x1, y1, bend),
-            at.user(x2, y2, bend),
-            ((tx, ty * bend), (dx * dot - dy * cross, (dy * dot + dx * cross) * bend)),
-            (bends[0] * bend * at.scale, bends[1] * bend * at.scale),
-            error,
-        )
+        place = self.coordinates.place(self.stretch.bend)
+        make = self.fit.primitive.piece
+        return [make(row, place, float(error)) for row, error in zip(run.rows, run.errors, strict=True)]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from osculant.approximation.arcs import Arcs, Coordinates
+from osculant.approximation.arcs import Arcs
 from osculant.approximation.division import begun_at
 from osculant.approximation.equal_errors import equalise
 from osculant.approximation.start_points import Start, best_start, start_within
@@ -17,8 +17,9 @@ from osculant.kernels import search as greedy
 from osculant.tolerances import reserve, window
 
 if TYPE_CHECKING:
+    from osculant.approximation.coordinates import Coordinates
     from osculant.approximation.division import Division
-    from osculant.primitives.table import Fit
+    from osculant.primitives.primitive import Fit
 
 #: periods after which a kernel stops in any case
 ROUNDS = 2
@@ -39,6 +40,7 @@ class Circuit:
     With points in ``division.unsplit`` errors need not grow with arcs, and nothing is said of all starts.
     What is said rests on errors measured in doubles.
 
+    >>> from osculant.approximation.coordinates import Coordinates
     >>> from osculant.curves.extent import extent
     >>> from osculant.curves.plane import PlaneCurve
     >>> from osculant.primitives.table import choose
@@ -56,7 +58,7 @@ class Circuit:
         (stretch,) = division.stretches
         self.low, self.period = stretch.a, stretch.b - stretch.a
         self._arcs = Arcs(coordinates, fit, stretch)
-        self._rounding = coordinates.size.rounding(fit.dimension)
+        self._rounding = coordinates.size.rounding(fit.degree)
 
     @property
     def resolution(self) -> float:
@@ -110,10 +112,7 @@ class Circuit:
     def arcs_from(self, start: float) -> Arcs:
         """The stretch once round from a start."""
         stretch = begun_at(self.coordinates.curve, self.division, start)
-        if not self.division.unsplit:
-            return Arcs(self.coordinates, self.fit, stretch)
-        points = [point + turn for turn in (0.0, self.period) for point in self.division.unsplit]
-        return UnsplitArcs(self.coordinates, self.fit, stretch, tuple(points))
+        return (UnsplitArcs if self.division.unsplit else Arcs)(self.coordinates, self.fit, stretch)
 
     def error_from(self, start: float, count: int) -> float:
         """The error of so many pieces once round from a start, as equal as they can be."""

@@ -1,4 +1,4 @@
-"""Whether a plane curve is closed, and whether its seam is smooth."""
+"""Whether a curve is closed, and whether its seam is smooth."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from osculant.approximation.split_points import as_float
 from osculant.cas.errors import DomainError, UndecidedError
 
 if TYPE_CHECKING:
-    from osculant.curves.plane import PlaneCurve
-    from osculant.curves.space import SpaceCurve
+    from osculant.curves.curve import FormulaCurve
 
 #: "corner": the ends meet, but the seam stays a knot; "smooth": the formula is periodic, the seam is no knot
 Closing = Literal["open", "corner", "smooth"]
@@ -21,15 +20,17 @@ AGREED = 2.0**-200
 ORDER = 8
 
 
-def closing(curve: PlaneCurve, asked: bool | None = None) -> Closing:
-    """How a curve that is finite on its interval (`division.check_finite`) shall be closed.
+def closing(curve: FormulaCurve, asked: bool | None = None, seam: bool = False) -> Closing:
+    """How a curve that is finite on its interval (`FormulaCurve.check_finite`) shall be closed.
 
     Args:
         curve: with its interval.
         asked: whether it is to be closed; None means that it is if its ends meet.
+        seam: whether its ends are a knot in any case, so that there is nothing to be asked.
 
     Returns:
-        "smooth" if `is_periodic`, "corner" if only `is_closed`, "open" if not, or if asked not to close it.
+        "smooth" if `is_periodic`, "corner" if only `is_closed` or the seam is a knot, "open" if not, or if
+        asked not to close it.
 
     Raises:
         DomainError: it is to be closed and its ends do not meet.
@@ -46,22 +47,16 @@ def closing(curve: PlaneCurve, asked: bool | None = None) -> Closing:
     (0.9999999999, 1.469282041e-05), 1.47e-05 apart: do not ask to close it, or give ends at which it is at
     the same point exactly (2*pi rather than 6.2832).
     """
-    if asked is False:
+    if asked is False and not seam:
         return "open"
-    if not ends_meet(curve, asked):
+    if not is_closed(curve):
+        if asked:
+            raise DomainError(_apart(curve))
         return "open"
-    return "smooth" if is_periodic(curve) else "corner"
+    return "smooth" if not seam and is_periodic(curve) else "corner"
 
 
-def ends_meet(curve: PlaneCurve | SpaceCurve, asked: bool | None = None) -> bool:
-    """`is_closed`; raises DomainError if it is asked to be closed and is not."""
-    meet = is_closed(curve)
-    if asked and not meet:
-        raise DomainError(_apart(curve))
-    return meet
-
-
-def is_closed(curve: PlaneCurve | SpaceCurve) -> bool:
+def is_closed(curve: FormulaCurve) -> bool:
     """Whether the curve ends where it begins: False is a proof, or the formula loses most of its digits.
 
     True means that the ends cannot be told apart in ball arithmetic of 320 bits (at least 60 digits of the
@@ -78,7 +73,7 @@ def is_closed(curve: PlaneCurve | SpaceCurve) -> bool:
         return _agree(curve, low, high, 0, _size(curve))
 
 
-def is_periodic(curve: PlaneCurve) -> bool:
+def is_periodic(curve: FormulaCurve) -> bool:
     """Whether the formula goes on with period T = b − a beyond the curve's interval [a, b].
 
     The curve has to be finite on its interval.
@@ -111,7 +106,7 @@ def is_periodic(curve: PlaneCurve) -> bool:
         )
 
 
-def _interval(curve: PlaneCurve | SpaceCurve) -> tuple[Any, Any, Any]:
+def _interval(curve: FormulaCurve) -> tuple[Any, Any, Any]:
     """Balls around a, b and T = b − a."""
     from osculant.cas.numbers.balls import constant
 
@@ -119,7 +114,7 @@ def _interval(curve: PlaneCurve | SpaceCurve) -> tuple[Any, Any, Any]:
     return low, high, high - low
 
 
-def _size(curve: PlaneCurve | SpaceCurve) -> Any:
+def _size(curve: FormulaCurve) -> Any:
     """How far the curve goes from its first point, by a few samples."""
     from flint import arb
 
@@ -135,7 +130,7 @@ def _size(curve: PlaneCurve | SpaceCurve) -> Any:
     return arb(far.mid())
 
 
-def _agree(curve: PlaneCurve | SpaceCurve, first: Any, second: Any, order: int, size: Any) -> bool:
+def _agree(curve: FormulaCurve, first: Any, second: Any, order: int, size: Any) -> bool:
     """Whether position and derivatives up to the order cannot be told apart, and are known well enough."""
     period = _interval(curve)[2]
     rows = zip(curve.balls.coefficients(first, order), curve.balls.coefficients(second, order), strict=True)
@@ -147,19 +142,17 @@ def _agree(curve: PlaneCurve | SpaceCurve, first: Any, second: Any, order: int, 
     return True
 
 
-def _analytic(curve: PlaneCurve, low: Any, high: Any) -> bool:
+def _analytic(curve: FormulaCurve, low: Any, high: Any) -> bool:
     """Whether the formula's Taylor series are seen to be finite on [low, high]."""
-    from osculant.cas.zeros.form_zeros import FormZeros
     from osculant.cas.zeros.isolate import first_infinite
-    from osculant.cas.zeros.plane import FORMS
 
     try:
-        return first_infinite(FormZeros(curve.balls, FORMS).evaluate, ("cusp",), low, high) is None
+        return first_infinite(curve.zeros.evaluate, ("cusp",), low, high) is None
     except UndecidedError:
         return False
 
 
-def _apart(curve: PlaneCurve | SpaceCurve) -> str:
+def _apart(curve: FormulaCurve) -> str:
     """The sentence for a curve that is not closed."""
     from osculant.cas.numbers.balls import PRECISION, precision
 

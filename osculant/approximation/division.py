@@ -15,15 +15,17 @@ from osculant.primitives.table import PRIMITIVES
 if TYPE_CHECKING:
     from osculant.approximation.closing import Closing
     from osculant.cas.zeros.form_zeros import SpecialPoint
-    from osculant.curves.plane import PlaneCurve
+    from osculant.curves.curve import FormulaCurve
+    from osculant.primitives.primitive import Primitive
 
 #: derivatives tried for the limit tangent at a cusp
 CUSP_ORDERS = 9
 #: where in a stretch or an arc is read off what is the same everywhere: at no special place
 INSIDE = 0.4871
 
-Vector = tuple[float, float]
-Kind = Literal["generic", "segment", "exact"]
+#: a coordinate each
+Vector = tuple[float, ...]
+Kind = Literal["generic", "level", "segment", "exact"]
 
 
 @dataclass(frozen=True)
@@ -36,10 +38,17 @@ class Frame:
 
 @dataclass(frozen=True)
 class Stretch:
-    """A part of the interval without special points inside.
+    """A part of the interval without special points inside but those that are passed.
 
-    ``low``, ``high`` are balls, ``a``, ``b`` their nearest doubles; ``bend`` is the sign of the curvature.
-    ``kind`` says whether the curve is a segment or an arc of the primitive itself there.
+    Attributes:
+        low, high: its ends, balls.
+        a, b: their nearest doubles.
+        start, end: the frames there.
+        kind: "segment" or "exact" if the curve is a segment or an arc of the primitive itself there, "level"
+            if it is not, but the leading term of the primitive's error vanishes (a bihelix's, on a curve of
+            constant curvature).
+        bend: the sign of the curvature; 1 in space, where it has none.
+        passed: the points inside, balls, where theory wants a split and none is to be made.
     """
 
     low: Any
@@ -48,8 +57,9 @@ class Stretch:
     b: float
     start: Frame
     end: Frame
-    bend: float
     kind: Kind
+    bend: float
+    passed: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -58,7 +68,7 @@ class Division:
 
     ``proved`` is False if the curve seems to be a segment or an arc of the primitive, to hundreds of
     digits, but no symbolic proof was found.  ``free`` says that the one stretch of a closed curve may begin
-    anywhere.  ``unsplit`` are the points inside stretches where theory wants a split and none was made.
+    anywhere.
     """
 
     stretches: tuple[Stretch, ...]
@@ -66,26 +76,18 @@ class Division:
     undecided: tuple[float, ...]
     proved: bool
     free: bool = False
-    unsplit: tuple[float, ...] = ()
 
+    @property
+    def unsplit(self) -> tuple[float, ...]:
+        """The points inside stretches where theory wants a split and none was made.
 
-def check_finite(curve: PlaneCurve) -> None:
-    """Raises DomainError, naming the parameter value, where the curve is undefined or not smooth.
-
-    >>> from osculant.curves.plane import PlaneCurve
-    >>> check_finite(PlaneCurve("t, 1/t", -1, 1))
-    Traceback (most recent call last):
-    ...
-    osculant.cas.errors.DomainError: The curve is undefined or infinite at t = 0 (a division by zero): take
-    an interval without it.
-    """
-    from osculant.cas.zeros.plane import require_finite
-
-    require_finite(curve.balls, *curve.ends)
+        They lie beyond the curve's interval where the last stretch of a closed curve does.
+        """
+        return tuple(sorted({as_float(at) for stretch in self.stretches for at in stretch.passed}))
 
 
 def divide(
-    curve: PlaneCurve,
+    curve: FormulaCurve,
     primitive: str,
     split_at: Sequence[Any] = (),
     closing: Closing = "open",
@@ -94,14 +96,14 @@ def divide(
     """Divide the curve for a spline of the primitive.
 
     Args:
-        curve: has to be finite: see `check_finite`.
-        primitive: its special points (`Primitive.splits`) are split points besides cusps and inflections.
+        curve: has to be finite: see `FormulaCurve.check_finite`.
+        primitive: one of the curve's dimension; cusps and its special points (`Primitive.splits`,
+            `Primitive.theory`) are split points.
         split_at: the user's split points.
         closing: "smooth" makes the first split point the beginning, and the last stretch end there one
             period later, where the formula has to go on; without split points the one stretch is the whole
             interval, and free.  "corner" and "open" keep the ends.
-        split: "never" leaves out the primitive's special points and tells them as ``unsplit`` (beyond the
-            interval where the last stretch is).
+        split: "never" leaves out `Primitive.theory`, and tells the points as ``passed``.
 
     Raises:
         DomainError: a split point outside the interval (the seam of a closed curve is inside), an unknown
@@ -115,41 +117,59 @@ def divide(
     >>> eight = divide(PlaneCurve("cos(t), sin(2*t)", 0, "2*pi"), "parabola", [1], "smooth", "never")
     >>> [(round(s.a, 3), round(s.b, 3)) for s in eight.stretches]
     [(1.0, 1.571), (1.571, 4.712), (4.712, 7.283)]
+    >>> from osculant.curves.space import SpaceCurve
+    >>> divide(SpaceCurve("2*cos(t), sin(t), t/5", "1", "4"), "bihelix").splits
+    (1.5707963267948966, 3.141592653589793)
     """
     from osculant.cas.numbers.balls import PRECISION, constant, precision
-    from osculant.cas.zeros.plane import special_points
 
     check_split(split)
-    kind, proved = _kind(curve, primitive)
-    names = ["cusp"]
-    names += ["inflection"] if kind != "segment" else []
-    names += [PRIMITIVES[primitive].splits] if kind == "generic" else []
-    skipped = {PRIMITIVES[primitive].splits} if split == "never" else set[str]()
+    wanted = PRIMITIVES[curve.dimension][primitive]
+    kind, proved = _kind(curve, wanted)
+    every = curve.special_points(_forms(wanted, kind))
+    left_out = set(wanted.theory) if split == "never" else set[str]()
+    found = [point for point in every if not point.kinds <= left_out]
+    passed = [point.at for point in every if point.kinds <= left_out]
     with precision(PRECISION):
         low, high = (constant(end) for end in curve.ends)
-        every = special_points(curve.balls, *curve.ends, names)
-        found = [point for point in every if not point.kinds <= skipped]
         if closing == "smooth":
             splits = cut_around(curve, found, split_at, low, high)
             knots = _around(splits, low, high)
+            passed += [at + (high - low) for at in passed]
         else:
             splits, cuts = cut(curve, found, split_at, low, high)
             knots = [(point.at, point) for point in cuts]
-        stretches = tuple(_stretch(curve, *before, *after, kind) for before, after in pairwise(knots))
-        passed = [point.at for point in every if point.kinds <= skipped]
-        if closing == "smooth":
-            passed += [at + (high - low) for at in passed]
-        left_out = list(map(as_float, passed))
-    free = closing == "smooth" and not splits
-    known = set[float]() if free else {part.a for part in stretches}
+        free = closing == "smooth" and not splits
+        stretches = [_stretch(curve, *start, *end, kind, passed, free) for start, end in pairwise(knots)]
     return Division(
-        stretches,
-        tuple(at for at in map(as_float, (point.at for point in splits)) if at != as_float(low)),
+        tuple(stretches),
+        tuple(at for at in (as_float(point.at) for point in splits) if at != as_float(low)),
         tuple(as_float(p.at) for p in (splits if closing == "smooth" else found) if not p.decided),
         proved,
         free,
-        tuple(sorted({at for at in left_out if stretches[0].a <= at < stretches[-1].b} - known)),
     )
+
+
+def _forms(primitive: Primitive, kind: Kind) -> list[str]:
+    """The forms whose zeros split a curve of that kind: those that do not vanish identically on it."""
+    forms = ["cusp"]
+    forms += primitive.splits if kind != "segment" else ()
+    forms += primitive.theory if kind == "generic" else ()
+    return forms
+
+
+def _kind(curve: FormulaCurve, primitive: Primitive) -> tuple[Kind, bool]:
+    """What the curve is as a whole, and whether that is certain."""
+    if curve.vanishes("cusp"):
+        raise DomainError(f"The curve {curve.text} is a single point: give a formula that moves.")
+    if curve.vanishes("inflection"):
+        return "segment", curve.exact.straight is True
+    itself = primitive.itself
+    if itself is None or not curve.vanishes(itself.forms[0]):
+        return "generic", True
+    if not all(map(curve.vanishes, itself.forms[1:])):
+        return "level", True
+    return "exact", itself.proof(curve.exact) is True
 
 
 def _around(splits: list[SpecialPoint], low: Any, high: Any) -> list[tuple[Any, SpecialPoint]]:
@@ -161,23 +181,7 @@ def _around(splits: list[SpecialPoint], low: Any, high: Any) -> list[tuple[Any, 
     return [*knots, (high if first.at is low else first.at + (high - low), first)]
 
 
-def _kind(curve: PlaneCurve, primitive: str) -> tuple[Kind, bool]:
-    """What the curve is as a whole, and whether that is certain."""
-    from osculant.cas.numbers.balls import PRECISION, constant, precision
-    from osculant.cas.zeros.plane import vanishes
-
-    with precision(PRECISION):
-        low, high = (constant(end) for end in curve.ends)
-        if vanishes(curve.balls, "cusp", low, high):
-            raise DomainError(f"The curve {curve.text} is a single point: give a formula that moves.")
-        if vanishes(curve.balls, "inflection", low, high):
-            return "segment", curve.exact.straight is True
-        if vanishes(curve.balls, PRIMITIVES[primitive].splits, low, high):
-            return "exact", getattr(curve.exact, PRIMITIVES[primitive].exact) is True
-    return "generic", True
-
-
-def begun_at(curve: PlaneCurve, division: Division, at: float) -> Stretch:
+def begun_at(curve: FormulaCurve, division: Division, at: float) -> Stretch:
     """The one stretch of a free division, begun elsewhere: from ``at`` to one period later.
 
     >>> import math
@@ -193,41 +197,46 @@ def begun_at(curve: PlaneCurve, division: Division, at: float) -> Stretch:
 
     (whole,) = division.stretches
     with precision(PRECISION):
-        start = SpecialPoint(arb(at), frozenset())
-        return _stretch(curve, start.at, start, start.at + (whole.high - whole.low), start, whole.kind)
+        start, period = SpecialPoint(arb(at), frozenset()), whole.high - whole.low
+        passed = [*whole.passed, *(point + period for point in whole.passed)]
+        return _stretch(curve, start.at, start, start.at + period, start, whole.kind, passed)
 
 
 def _stretch(
-    curve: PlaneCurve, low: Any, start: SpecialPoint, high: Any, end: SpecialPoint, kind: Kind
+    curve: FormulaCurve,
+    low: Any,
+    start: SpecialPoint,
+    high: Any,
+    end: SpecialPoint,
+    kind: Kind,
+    passed: Sequence[Any],
+    free: bool = False,
 ) -> Stretch:
-    """The stretch from low to high, where the curve is at the points ``start`` and ``end``."""
-    inside = low + (high - low) * INSIDE
-    bend = curve.balls.jet(inside.mid(), 2).inflection_form
-    return Stretch(
-        low,
-        high,
-        as_float(low),
-        as_float(high),
-        _frame(curve, start, 1),
-        _frame(curve, end, -1),
-        -1.0 if bend < 0 else 1.0,
-        kind,
-    )
+    """The stretch from low to high, where the curve is at the points ``start`` and ``end``.
+
+    Of a free one the beginning, which is no knot, may be passed too.
+    """
+    a, b = as_float(low), as_float(high)
+    inside = tuple(at for at in passed if a < as_float(at) < b or (free and as_float(at) == a))
+    bend = curve.bend((low + (high - low) * INSIDE).mid())
+    return Stretch(low, high, a, b, _frame(curve, start, 1), _frame(curve, end, -1), kind, bend, inside)
 
 
-def _frame(curve: PlaneCurve, point: SpecialPoint, side: int) -> Frame:
+def _frame(curve: FormulaCurve, point: SpecialPoint, side: int) -> Frame:
     """The frame at a split point, seen from the stretch after (side 1) or before it (side −1)."""
     from flint import arb
 
     at = point.at.mid() if not point.decided else point.at
     singular = "cusp" in point.kinds
-    x, y = curve.balls.coefficients(arb(at), CUSP_ORDERS if singular else 1)
-    for order in range(2 if singular else 1, len(x)):
-        length = (x[order] * x[order] + y[order] * y[order]).sqrt()
+    rows = curve.balls.coefficients(arb(at), CUSP_ORDERS if singular else 1)
+    for order in range(2 if singular else 1, len(rows[0])):
+        parts = [row[order] for row in rows]
+        length = sum((part * part for part in parts), arb(0)).sqrt()
         if length > 0:
             sign = side ** (order - 1)  # α̇ ~ (t − c)^(order − 1)
-            tangent = (float((sign * x[order] / length).mid()), float((sign * y[order] / length).mid()))
-            return Frame((float(x[0].mid()), float(y[0].mid())), tangent)
+            # what cannot be told from 0 in balls is 0: its double would be the noise of the last bits
+            tangent = tuple(as_float(sign * part / length) for part in parts)
+            return Frame(tuple(as_float(row[0]) for row in rows), tangent)
     raise UndecidedError(
         f"The curve has no tangent at t = {as_float(point.at):.10g} that {CUSP_ORDERS} derivatives could "
         "tell: choose an interval without this point."

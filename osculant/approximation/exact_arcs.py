@@ -1,110 +1,54 @@
-"""A stretch on which the curve is a segment, or an arc of the primitive: the pieces are parts of it."""
+"""A stretch of a conic, for conics, or of a circle, for biarcs: the pieces are parts of it."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from osculant.approximation.arcs import NOISE_ULPS, Arcs, Coordinates, Local
+from osculant.approximation.arcs import Arcs
 from osculant.approximation.division import INSIDE
-from osculant.approximation.runs import Floats, Progress, Run, equal_parts, equal_shares
+from osculant.approximation.runs import Floats, Progress, Run, equal_shares, integrated, speed
 from osculant.kernels import search as greedy
 from osculant.kernels.conics import pencil as bitangent
 from osculant.kernels.conics import scan
-from osculant.kernels.curves.plane import JET_SIZE, sample_many
-from osculant.kernels.primitives import BIARCS
-from osculant.pieces.conics import Piece
-from osculant.primitives.table import PRIMITIVES
 
 if TYPE_CHECKING:
+    from osculant.approximation.coordinates import Coordinates, Local
     from osculant.approximation.division import Stretch
-    from osculant.primitives.table import Fit
+    from osculant.primitives.primitive import Fit
 
-#: panels and nodes of the quadrature of affine length along an exact arc
-PANELS, NODES = 64, 8
+#: panels of the quadrature of affine length along an exact arc
+PANELS = 64
 #: an arc of a conic turns at most by this: it is bounded up to 2π, and well-conditioned up to here
 WIDEST = 1.5 * math.pi
 #: errors of arcs of the curve itself below so many times the noise, the floor of tolerances, are rounding
 RESOLVED = 250.0
 
 
-class Segments:
-    """A straight stretch: a `osculant.approximation.runs.Part`."""
-
-    exact, least, order = True, 1, 1
-
-    def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch) -> None:
-        self.coordinates, self.stretch, self.ends = coordinates, stretch, (stretch.a, stretch.b)
-        self.noise = NOISE_ULPS * coordinates.size.rounding(fit.dimension)
-
-    def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
-        """One segment."""
-        return self.fitted(self.spread(1))
-
-    def at_least(self, high: float) -> int:
-        """One."""
-        return 1
-
-    def fitted(self, knots: Floats) -> Run:
-        """Segments between the knots."""
-        return Run(knots, np.zeros(len(knots) - 1), np.empty((len(knots) - 1, 0)))
-
-    def spread(self, count: int) -> Floats:
-        """Knots that divide the segment equally."""
-        if count == 1:
-            return np.array(self.ends)
-        # in its length, whatever the parameter
-        times = equal_parts(self.ends, PANELS * count)
-        points = _sampled(self.coordinates, times)[:, [0, 3]]
-        start = np.array(self.stretch.start.point)
-        reached = np.hypot(*(points - start).T)
-        return equal_shares(times, np.maximum.accumulate(reached), count)
-
-    def pieces(self, run: Run) -> list[Piece]:
-        """The segments themselves."""
-        points = [
-            self.stretch.start.point,
-            *map(_pair, _sampled(self.coordinates, run.knots[1:-1])[:, [0, 3]]),
-        ]
-        points.append(self.stretch.end.point)
-        return [
-            Piece.segment((float(a), float(b)), start, end)
-            for a, b, start, end in zip(run.knots, run.knots[1:], points, points[1:])
-        ]
-
-
 class ExactArcs(Arcs):
-    """A stretch of a conic, for conics, or of a circle, for biarcs: a `osculant.approximation.runs.Part`.
+    """A stretch of an arc of the primitive: a `osculant.approximation.runs.Part`.
 
-    Pieces have equal affine lengths and turn by less than `Primitive.turning` each.  Without a symbolic proof
+    Pieces have equal affine lengths and turn by less than `Itself.turning` each.  Without a symbolic proof
     that the curve is what it seems to be, errors are what is measured; where a bend is too sharp for the
     arc's doubles, pieces are fitted as to any curve.
     """
 
     exact = True
 
-    def __init__(
-        self, coordinates: Coordinates, fit: Fit, stretch: Stretch, primitive: str, proved: bool
-    ) -> None:
+    def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch, proved: bool) -> None:
         super().__init__(coordinates, fit, stretch)
-        self.primitive, self.proved = primitive, proved
+        self.curve, self.proved = coordinates.curve, proved
+        assert fit.primitive.itself is not None
+        self.turning = fit.primitive.itself.turning
 
     @cached_property
-    def _lengths(self) -> tuple[Floats, Floats, float]:
-        """Parameters, the affine lengths from the beginning to them, and the whole Euclidean length."""
-        nodes, weights = np.polynomial.legendre.leggauss(NODES)
-        edges = np.linspace(*self.ends, PANELS + 1)
-        half = np.diff(edges) / 2
-        times = (edges[:-1] + half)[:, None] + half[:, None] * nodes
-        jets = _sampled(self.coordinates, times.ravel())
-        density = np.cbrt(np.abs(jets[:, 1] * jets[:, 5] - jets[:, 2] * jets[:, 4])).reshape(times.shape)
-        speed = np.hypot(jets[:, 1], jets[:, 4]).reshape(times.shape)
-        affine = np.concatenate([[0.0], np.cumsum(half * (density @ weights))])
-        return edges, affine, float(half @ (speed @ weights))
+    def _lengths(self) -> tuple[Floats, Floats]:
+        """Parameters, and the affine lengths from the beginning to them."""
+        return integrated(self.curve, self.ends, PANELS, affine_speed)
 
     def _constant(self, name: str) -> float:
         """Curvature or affine curvature, which is the same everywhere."""
@@ -112,7 +56,7 @@ class ExactArcs(Arcs):
 
         with precision(PRECISION):
             inside = (self.stretch.low + (self.stretch.high - self.stretch.low) * INSIDE).mid()
-            return float(getattr(self.coordinates.curve.balls.jet(inside, 4), name).mid())
+            return float(getattr(self.curve.balls.jet(inside, 4), name).mid())
 
     @cached_property
     def _turning(self) -> float:
@@ -121,17 +65,17 @@ class ExactArcs(Arcs):
 
     @cached_property
     def usual(self) -> int:
-        """How many pieces there are unless a number is given: they turn by less than `Primitive.turning`."""
-        return _parts(self._turning / PRIMITIVES[self.primitive].turning)
+        """How many pieces there are unless a number is given: they turn by less than `Itself.turning`."""
+        return _parts(self._turning / self.turning)
 
     @cached_property
     def least(self) -> int:
         """How many pieces can be asked for: a conic's weight is −1/√2 where it turns by `WIDEST`."""
-        return _parts(self._turning / max(WIDEST, PRIMITIVES[self.primitive].turning))
+        return _parts(self._turning / max(WIDEST, self.turning))
 
     def spread(self, count: int) -> Floats:
         """Knots of equal affine lengths."""
-        edges, lengths, _ = self._lengths
+        edges, lengths = self._lengths
         return equal_shares(edges, lengths, count)
 
     def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
@@ -147,19 +91,27 @@ class ExactArcs(Arcs):
 
     def fitted(self, knots: Floats) -> Run:
         """The arcs of the curve between the knots; errors are 0 if doubles can follow them."""
-        rows, off = (self._circles if self.fit.code in BIARCS else self._conics)(knots)
+        rows, off = self._measured(knots)
         errors = off / self.coordinates.scale
-        if self.fit.dimension == 2:  # an area is no more than width times length
-            errors = errors * self._lengths[2]
+        if self.fit.degree == 2:  # an area is no more than width times length
+            errors = errors * integrated(self.curve, self.ends, PANELS, speed)[1][-1]
         resolved = errors <= RESOLVED * self.noise
         return Run(knots, np.where(resolved & self.proved, 0.0, errors), rows)
+
+    def _measured(self, knots: Floats) -> tuple[Floats, Floats]:
+        """Rows of the arcs between the knots, and how far the curve is from them, in the kernels' units."""
+        raise NotImplementedError
 
     def _frames(self, knots: Floats) -> list[Local]:
         stretch, at = self.stretch, self.coordinates
         inner = map(self.frame_at, knots[1:-1])
         return [at.local(stretch.start, stretch.bend), *inner, at.local(stretch.end, stretch.bend)]
 
-    def _conics(self, knots: Floats) -> tuple[Floats, Floats]:
+
+class ConicArcs(ExactArcs):
+    """A stretch of a conic."""
+
+    def _measured(self, knots: Floats) -> tuple[Floats, Floats]:
         """Rows of the conics through an inner point each, and how far the curve is from them."""
         noise = self.coordinates.noise
         space, frames = scan.workspace(), self._frames(knots)
@@ -171,10 +123,14 @@ class ExactArcs(Arcs):
             greedy.record(self.fit.code, row, a, b, q, off, 0, start, end, noise)
         return rows, rows[:, greedy.ERROR]
 
-    def _circles(self, knots: Floats) -> tuple[Floats, Floats]:
+
+class CircleArcs(ExactArcs):
+    """A stretch of a circle."""
+
+    def _measured(self, knots: Floats) -> tuple[Floats, Floats]:
         """Rows of biarcs with both arcs on the circle, and how far the curve is from it."""
         bend = self._constant("curvature") * self.stretch.bend / self.coordinates.scale
-        edges, lengths, _ = self._lengths
+        edges, lengths = self._lengths
         at_knots = np.interp(knots, edges, lengths)
         middles = np.interp((at_knots[:-1] + at_knots[1:]) / 2, lengths, edges)
         frames, junctions = np.array(self._frames(knots)), np.array([self.frame_at(t) for t in middles])
@@ -200,11 +156,7 @@ def _parts(turns: float) -> int:
     return math.floor(turns + 1e-9) + 1
 
 
-def _sampled(coordinates: Coordinates, times: Floats) -> Floats:
-    jets = np.empty((len(times), JET_SIZE))
-    sample_many(coordinates.curve.compiled.address, np.ascontiguousarray(times), jets)
-    return jets
-
-
-def _pair(row: np.ndarray[Any, Any]) -> tuple[float, float]:
-    return float(row[0]), float(row[1])
+def affine_speed(jets: Floats) -> Floats:
+    """|α̇ × α̈|^{1/3} of jets of a plane curve (m, 2, 3)."""
+    (_, dx, ddx), (_, dy, ddy) = jets.transpose(1, 2, 0)
+    return np.asarray(np.cbrt(np.abs(dx * ddy - ddx * dy)))

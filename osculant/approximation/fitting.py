@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
-from osculant.approximation.allocation import CHECKED_PIECES, check_least, given_pieces, may_be_less, within
-from osculant.approximation.arcs import Arcs, Coordinates
+from osculant.approximation.allocation import (
+    CHECKED_PIECES,
+    check_least,
+    fewer,
+    fewest,
+    given_pieces,
+    may_be_less,
+)
+from osculant.approximation.arcs import Arcs
 from osculant.approximation.circuits import Circuit
-from osculant.approximation.exact_arcs import ExactArcs, Segments
+from osculant.approximation.coordinates import Coordinates
+from osculant.approximation.exact_arcs import CircleArcs, ConicArcs
+from osculant.approximation.exact_helices import Helices
 from osculant.approximation.runs import share_of, whole_error
+from osculant.approximation.segments import Segments
+from osculant.approximation.space_arcs import SpaceArcs
 from osculant.approximation.unsplit import UnsplitArcs
 from osculant.cas.errors import UndecidedError
 from osculant.kernels.jit import announce
@@ -18,153 +29,177 @@ from osculant.tolerances import window
 
 if TYPE_CHECKING:
     from osculant.approximation.division import Division, Stretch
-    from osculant.approximation.runs import Progress, Run
+    from osculant.approximation.runs import Part, Progress, Run
+    from osculant.curves.curve import FormulaCurve
     from osculant.curves.extent import Extent
-    from osculant.curves.plane import PlaneCurve
-    from osculant.pieces.biarcs import Biarc
-    from osculant.pieces.conics import Piece
-    from osculant.primitives.table import Fit
+    from osculant.primitives.primitive import Fit
 
 #: rounds of the search for the number of pieces of an area
 ROUNDS = 200
 #: tolerances are looked at so much above, in parts of them, for a closed curve with one piece less
 NEAR = 1e-5
+#: by `Itself.shape`, how a stretch of the plane is fitted that is an arc of the primitive
+EXACT = {"conic": ConicArcs, "circle": CircleArcs}
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """The pieces that a search found, stretch by stretch, and what is known of them.
+
+    Attributes:
+        division: of the curve, begun where the search had it begin.
+        parts: the stretches with the way pieces were fitted to them.
+        runs: the pieces of each.
+        certain: False where the fewest pieces found may not be the fewest there are: a piece ended, short of
+            the tolerance, where no longer arc had a proper one, or rounding may have cost one.
+        gap: of a closed curve that may begin anywhere, by what part of itself the error of so many pieces
+            might be smaller from elsewhere; None if that was not sought.
+    """
+
+    division: Division
+    parts: Sequence[Part]
+    runs: Sequence[Run]
+    certain: bool = True
+    gap: float | None = None
+
+    @property
+    def count(self) -> int:
+        """The number of pieces."""
+        return sum(map(len, self.runs))
+
+    def pieces(self) -> list[Any]:
+        """The pieces of all stretches, in the user's coordinates."""
+        return [piece for part, run in zip(self.parts, self.runs, strict=True) for piece in part.pieces(run)]
 
 
 class Fitting:
-    """A divided curve, ready to be approximated by one primitive.
+    """A divided curve, ready to be approximated in one way.
 
-    ``certain`` turns False where the fewest pieces found may not be the fewest there are: a piece ended,
-    short of the tolerance, where no longer arc had a proper one, or rounding may have cost one.
-
-    A closed curve without split points may begin anywhere: ``parts`` and ``division`` then change to where it
-    had best begin, and ``gap`` tells by what part of itself the error might be smaller from elsewhere.
+    Args:
+        curve: with its interval.
+        fit: what the pieces are and how they are chosen.
+        division: of the curve, for the fit's primitive.
+        size: the curve's.
     """
 
-    def __init__(self, curve: PlaneCurve, primitive: str, fit: Fit, division: Division, size: Extent) -> None:
+    def __init__(self, curve: FormulaCurve, fit: Fit, division: Division, size: Extent) -> None:
         announce()
-        self.primitive, self.fit, self.division, self.size = primitive, fit, division, size
+        self.fit, self.division, self.size = fit, division, size
         self.coordinates = Coordinates(curve, size)
-        self.parts = [self.part(stretch) for stretch in division.stretches]
-        self.certain = True
+        self.rounding = size.rounding(fit.degree)
+        self.parts = [part_of(self.coordinates, fit, division, stretch) for stretch in division.stretches]
         self.circuit: Circuit | None = None
-        self.gap: float | None = None
         if division.free and division.stretches[0].kind == "generic":
             self.circuit = Circuit(self.coordinates, fit, division)
 
-    def part(self, stretch: Stretch) -> Arcs | Segments:
-        """A stretch with the way to fit pieces to it."""
-        if stretch.kind == "segment":
-            return Segments(self.coordinates, self.fit, stretch)
-        if stretch.kind == "exact":
-            return ExactArcs(self.coordinates, self.fit, stretch, self.primitive, self.division.proved)
-        if self.division.unsplit:
-            return UnsplitArcs(self.coordinates, self.fit, stretch, self.division.unsplit)
-        return Arcs(self.coordinates, self.fit, stretch)
-
-    def within(self, tolerance: float, progress: Progress | None = None) -> list[Run]:
+    def for_tolerance(self, tolerance: float, progress: Progress | None = None) -> Fitted:
         """The fewest pieces with errors up to the tolerance, stretch by stretch."""
-        low, high = window(tolerance, self.size.rounding(self.fit.dimension))
-        runs, self.certain = [], True
+        ends, runs, certain = window(tolerance, self.rounding), [], True
         for i, part in enumerate(self.parts):
-            run, certain = within(part, low, high, tolerance, share_of(progress, i, len(self.parts)))
-            runs.append(run)
-            self.certain &= certain
-        return self._from_elsewhere(runs, tolerance, lambda count: tolerance)
+            run, sure = fewest(part, *ends, tolerance, share_of(progress, i, len(self.parts)))
+            runs.append(run if self.fit.primitive.monotone else fewer(part, run, tolerance))
+            certain &= sure
+        found = Fitted(self.division, self.parts, runs, certain)
+        return self._from_elsewhere(found, tolerance, lambda count: tolerance)
 
-    def of_area(self, tolerance: float, progress: Progress | None = None) -> list[Run]:
+    def for_area(self, tolerance: float, progress: Progress | None = None) -> Fitted:
         """The least n such that n pieces with areas up to tolerance/n suffice (thesis 3.7), and its pieces.
 
         The number at one n is a lower bound of all larger solutions: going on with it finds the least.
         """
-        low, high = window(tolerance, self.size.rounding(2))
+        low, high = window(tolerance, self.rounding)
         count, beaten = len(self.parts), 0  # beaten: so many pieces are certainly too few
         while (found := self._at_least(high / count)) > count:
             beaten, count = count, found
         for _ in range(ROUNDS):
             runs = [part.greedy(low / count, high / count) for part in self.parts]
-            found, self.certain = sum(map(len, runs)), not any(run.limited for run in runs)
+            fitted = Fitted(self.division, self.parts, runs, not any(run.limited for run in runs))
             if progress is not None:
-                progress(min(1.0, count / found))
-            if found <= count:
-                if found > beaten + 1:
-                    runs = self._without_window(runs, tolerance)
-                return self._from_elsewhere(runs, tolerance, lambda count: tolerance / count)
-            count = found
+                progress(min(1.0, count / fitted.count))
+            if fitted.count <= count:
+                if fitted.count > beaten + 1:
+                    fitted = self._without_window(fitted, tolerance)
+                return self._from_elsewhere(fitted, tolerance, lambda count: tolerance / count)
+            count = fitted.count
         raise UndecidedError(
             f"The number of pieces for the area {tolerance:g} did not settle: choose another tolerance."
         )
+
+    def for_number(self, count: int) -> Fitted:
+        """The pieces, ``count`` in all, with the least greatest error."""
+        check_least(self.parts, count)
+        if self.circuit is None:
+            return Fitted(self.division, self.parts, given_pieces(self.parts, count))
+        start = self.circuit.best_start(count)
+        division, part = self._begun_at(start.at)
+        return Fitted(division, [part], given_pieces([part], count), gap=start.gap)
 
     def _at_least(self, high: float) -> int:
         """A quick lower bound of the number of greedy pieces with errors up to ``high``."""
         return sum(part.at_least(high) for part in self.parts)
 
-    def _without_window(self, runs: list[Run], tolerance: float) -> list[Run]:
-        """The runs, or those of one piece less if only the window of the search was in their way."""
-        count = sum(map(len, runs)) - 1
+    def _without_window(self, found: Fitted, tolerance: float) -> Fitted:
+        """What was found, or one piece less if only the window of the search was in its way."""
+        count = found.count - 1
         if count < sum(part.least for part in self.parts):
-            return runs
-        low, high = (end / count for end in window(tolerance, self.size.rounding(2)))
+            return found
+        low, high = (end / count for end in window(tolerance, self.rounding))
         if self._at_least(high) > count:
-            return runs
+            return found
         trial = [part.greedy(low, high) for part in self.parts]
         spare = sum(
             may_be_less(part, run, low, high, tolerance / count)
             for part, run in zip(self.parts, trial, strict=True)
         )
         if sum(map(len, trial)) - spare > count:
-            return runs
+            return found
         if count > CHECKED_PIECES:
-            self.certain = False
-            return runs
-        fewer = given_pieces(self.parts, count)
+            return replace(found, certain=False)
+        less = given_pieces(self.parts, count)
         # equal areas are so up to rounding: the largest may be above the mean by the window and the noise
         noise = max(part.noise for part in self.parts)
-        equal = max(run.error for run in fewer) <= tolerance / count * (high / low) + noise
-        return fewer if whole_error(fewer, 2) <= tolerance and equal else runs
+        equal = max(run.error for run in less) <= tolerance / count * (high / low) + noise
+        return replace(found, runs=less) if whole_error(less, 2) <= tolerance and equal else found
 
-    def of_number(self, count: int) -> list[Run]:
-        """The pieces, ``count`` in all, with the least greatest error."""
-        if self.circuit is not None:
-            check_least(self.parts, count)
-            start = self.circuit.best_start(count)
-            self._begin_at(start.at)
-            self.gap = start.gap
-        return given_pieces(self.parts, count)
-
-    def _begin_at(self, start: float) -> None:
-        """Let a closed curve begin there."""
-        assert self.circuit is not None
-        part = self.circuit.arcs_from(start)
-        self.parts, self.division = [part], replace(self.division, stretches=(part.stretch,))
-
-    def _from_elsewhere(self, runs: list[Run], tolerance: float, level: Callable[[int], float]) -> list[Run]:
-        """The runs of a closed curve, or fewer pieces from another start, their errors up to level(number).
+    def _from_elsewhere(self, found: Fitted, tolerance: float, level: Callable[[int], float]) -> Fitted:
+        """What was found on a closed curve, or fewer pieces from another start, errors up to level(number).
 
         From any start the longest pieces are at most one too many, as they pass the knots of the fewest.
         """
         if self.circuit is None:
-            return runs
-        while (count := len(runs[0]) - 1) >= max(1, self.parts[0].least):
-            near = level(count) * (1 + NEAR)
-            start, decided = self.circuit.start_within(near, count)
+            return found
+        while (count := found.count - 1) >= max(1, found.parts[0].least):
+            start, decided = self.circuit.start_within(level(count) * (1 + NEAR), count)
             if start is None:
-                self.certain &= decided
-                break
-            before, certain = (self.parts, self.division), self.certain
-            fewer = self._fewer_from(start, level(count), count) or self.of_number(count)
-            if not whole_error(fewer, self.fit.dimension) <= tolerance:
-                (self.parts, self.division), self.certain, self.gap = before, False, None
-                break
-            runs, self.certain, self.gap = fewer, certain, None
-        return runs
+                return replace(found, certain=found.certain and decided)
+            less = self._fewer_from(start, level(count), count) or self.for_number(count)
+            if not whole_error(less.runs, self.fit.degree) <= tolerance:
+                return replace(found, certain=False)
+            found = replace(less, certain=found.certain, gap=None)
+        return found
 
-    def _fewer_from(self, start: float, level: float, count: int) -> list[Run] | None:
+    def _fewer_from(self, start: float, level: float, count: int) -> Fitted | None:
         """So many pieces within the level from a start, None if they do not suffice."""
-        self._begin_at(start)
-        run, _ = within(self.parts[0], *window(level, self.size.rounding(self.fit.dimension)), level)
-        return [run] if len(run) <= count else None
+        division, part = self._begun_at(start)
+        run, _ = fewest(part, *window(level, self.rounding), level)
+        return Fitted(division, [part], [run]) if len(run) <= count else None
 
-    def pieces(self, runs: list[Run]) -> list[Piece | Biarc]:
-        """The pieces of all stretches, in the user's coordinates."""
-        return [piece for part, run in zip(self.parts, runs, strict=True) for piece in part.pieces(run)]
+    def _begun_at(self, start: float) -> tuple[Division, Arcs]:
+        """A closed curve that begins there."""
+        assert self.circuit is not None
+        part = self.circuit.arcs_from(start)
+        return replace(self.division, stretches=(part.stretch,)), part
+
+
+def part_of(coordinates: Coordinates, fit: Fit, division: Division, stretch: Stretch) -> Part:
+    """A stretch with the way to fit pieces to it."""
+    if stretch.kind == "segment":
+        return Segments(coordinates, fit, stretch)
+    if stretch.kind == "exact" and (itself := fit.primitive.itself) is not None:
+        if itself.shape != "helix":
+            return EXACT[itself.shape](coordinates, fit, stretch, division.proved)
+        if division.proved:  # no error of a helix is measured
+            return Helices(coordinates, fit, stretch)
+    if coordinates.curve.dimension == 3:
+        return SpaceArcs(coordinates, fit, stretch)
+    return (UnsplitArcs if division.unsplit else Arcs)(coordinates, fit, stretch)

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+from osculant.approximation.division import divide
 from osculant.cas.errors import DomainError
 from osculant.primitives.table import choose
 from osculant.tolerances import checked_tolerance
 
 if TYPE_CHECKING:
-    from osculant.approximation.division import Division
-    from osculant.curves.plane import PlaneCurve
-
+    from osculant.approximation.division import Division, Stretch
+    from osculant.curves.curve import FormulaCurve
+    from osculant.primitives.primitive import Fit
 
 #: a predicted number above an integer by less than this part of it is that integer
 ROUNDING = 1e-12
@@ -156,77 +158,124 @@ class Complexity:
 DIGITS, DIGITS_OF_NEXT, DIGITS_FOR_SPLINES = 20, 12, 9
 
 
+def complexity_of_curve(
+    curve: FormulaCurve, primitive: str, metric: str, split_at: Sequence[Any], next_term: bool
+) -> Complexity:
+    """What `osculant.complexity` says."""
+    fit = choose(primitive, metric, dimension=curve.dimension, curve=curve.text)
+    curve.check_finite()
+    division = divide(curve, primitive, split_at)
+    return complexity_of(curve, fit, division, _least(curve, fit, division), next_term)
+
+
+def _least(curve: FormulaCurve, fit: Fit, division: Division) -> tuple[int, ...]:
+    """How many pieces each stretch takes in any case: one, but helices turn by less than 2π each."""
+    if curve.dimension == 2 or division.stretches[0].kind != "exact":
+        return (1,) * len(division.stretches)
+    from osculant.approximation.coordinates import Coordinates
+    from osculant.approximation.exact_helices import Helices
+    from osculant.curves.extent import extent
+
+    coordinates = Coordinates(curve, extent(curve))
+    return tuple(Helices(coordinates, fit, stretch).least for stretch in division.stretches)
+
+
 def complexity_of(
-    curve: PlaneCurve,
-    primitive: str,
-    division: Division,
-    least: tuple[int, ...],
-    next_term: bool = False,
-    metric: str = "hausdorff",
+    curve: FormulaCurve, fit: Fit, division: Division, least: tuple[int, ...], next_term: bool = False
 ) -> Complexity:
     """The complexity of a divided curve; ``least`` pieces are needed on each stretch in any case.
 
     Integrated in ball arithmetic; raises UndecidedError if that does not settle, and DomainError if c₁ is
-    asked for in the metric "area", or its integral diverges at a special point.
+    asked for in the metric "area" or in space, or its integral diverges at a special point.
     """
-    from osculant.cas.laws.complexity import complexity_constant
-
-    if next_term and metric != "hausdorff":
-        raise DomainError(f"The second term is not known for the metric {metric!r}: ask without next_term.")
-    constants = []
-    for stretch in division.stretches:
-        if stretch.kind != "generic":
-            constants.append("0")
-            continue
-        value, _ = complexity_constant(curve.balls, primitive, stretch.low, stretch.high, metric)
-        constants.append(value.str(DIGITS, radius=False))
-    following = tuple(_next_constants(curve, primitive, division)) if next_term else None
-    return Complexity(
-        primitive, metric, _order(primitive, metric), tuple(constants), least, DIGITS, following
-    )
+    if next_term and curve.dimension == 3:
+        raise DomainError(f"The second term is not known for {fit.primitive.plural}: ask without next_term.")
+    if next_term and fit.metric != "hausdorff":
+        raise DomainError(
+            f"The second term is not known for the metric {fit.metric!r}: ask without next_term."
+        )
+    constants = tuple(_constant(curve, fit, s).str(DIGITS, radius=False) for s in division.stretches)
+    following = tuple(_next_constants(curve, fit, division)) if next_term else None
+    return _complexity(fit, division, constants, least, DIGITS, following)
 
 
-def _order(primitive: str, metric: str) -> int:
-    """The order of a spline's error in its number of pieces: areas add, which costs one."""
-    return choose(primitive, metric).law.spline_order
+def _complexity(
+    fit: Fit, division: Division, constants: tuple[str, ...], least: tuple[int, ...], digits: int,
+    following: tuple[str, ...] | None = None,
+) -> Complexity:  # fmt: skip
+    order = fit.law(division.stretches[0].kind).spline_order  # a curve is level everywhere or nowhere
+    return Complexity(fit.primitive.name, fit.metric, order, constants, least, digits, following)
 
 
-def _next_constants(curve: PlaneCurve, primitive: str, division: Division) -> Iterator[str]:
+def _constant(curve: FormulaCurve, fit: Fit, stretch: Stretch) -> Any:
+    """C of one stretch, a ball; 0 where the curve is the primitive itself.
+
+    Integrated from one point that is passed to the next, where the integrand is singular; contents add, but
+    the constants of areas are powers of them.
+    """
+    from flint import arb
+
+    from osculant.cas.laws.complexity import law_integral
+    from osculant.cas.numbers.balls import PRECISION, precision
+
+    if stretch.kind not in ("generic", "level"):
+        return arb(0)
+    law, passed = fit.law(stretch.kind), stretch.passed if fit.degree == 1 else ()
+    with precision(PRECISION):
+        ends = pairwise([stretch.low, *passed, stretch.high])
+        return sum((law_integral(curve.balls, law, *pair)[0] for pair in ends), arb(0))
+
+
+def _next_constants(curve: FormulaCurve, fit: Fit, division: Division) -> Iterator[str]:
     from osculant.cas.laws.next_term import next_constant
 
     for stretch in division.stretches:
         if stretch.kind != "generic":
             yield "0"
         else:
-            value, _ = next_constant(curve.balls, primitive, stretch.low, stretch.high)
+            value, _ = next_constant(curve.balls, fit.primitive.name, stretch.low, stretch.high)
             yield value.str(DIGITS_OF_NEXT, radius=False)
 
 
 def quick_complexity(
-    curve: PlaneCurve,
-    primitive: str,
-    division: Division,
-    least: tuple[int, ...],
-    scale: float,
-    metric: str = "hausdorff",
+    curve: FormulaCurve, fit: Fit, division: Division, least: tuple[int, ...], scale: float
 ) -> Complexity:
     """The same in doubles, to predict a spline's pieces; ``scale`` makes the curve's size about 1."""
-    from osculant.cas.laws.complexity import complexity_constant
+    if curve.dimension == 3:  # there are no kernels for these densities
+        return complexity_of(curve, fit, division, least)
     from osculant.codegen.jets import compile_jet
     from osculant.kernels.quadrature import predicted
 
-    fit, order = choose(primitive, metric), _order(primitive, metric)
-    power = fit.order / order  # of the content that C is
+    order = fit.law().spline_order
     jet = compile_jet(curve.coordinates, 5)  # owns the code at its address
     constants = []
     for stretch in division.stretches:
         constant = 0.0
         if stretch.kind == "generic":
+            power = fit.order / order  # of the content that C is
             constant = predicted(fit.code, jet.address, scale, stretch.a, stretch.b) ** power
         # N = C ε^{−1/order} has no unit: the constant of the scaled curve belongs to the scaled tolerance
-        constant *= scale ** (-fit.dimension / order)
+        constant *= scale ** (-fit.degree / order)
         if math.isnan(constant):  # rounding beside a singular end: balls know better
-            ends = stretch.low, stretch.high
-            constant = float(complexity_constant(curve.balls, primitive, *ends, metric)[0])
+            constant = float(_constant(curve, fit, stretch))
         constants.append(repr(constant))
-    return Complexity(primitive, metric, order, tuple(constants), least, DIGITS_FOR_SPLINES)
+    return _complexity(fit, division, tuple(constants), least, DIGITS_FOR_SPLINES)
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """What theory says about one spline: a complexity at one tolerance and one number of pieces.
+
+    >>> law = Complexity("conic", "hausdorff", 5, ("1.5",), (1,), 15)
+    >>> Prediction.of(law, 1e-5, 15).predicted_pieces
+    15
+    """
+
+    predicted: float
+    predicted_pieces: int
+    predicted_error: float
+
+    @classmethod
+    def of(cls, law: Complexity, tolerance: float, pieces: int) -> Prediction:
+        """The numbers of pieces for the tolerance, and the error of so many pieces."""
+        return cls(law.predicted(tolerance), law.predicted_pieces(tolerance), law.predicted_error(pieces))

@@ -5,11 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
 from osculant.cas.errors import UndecidedError
+
+if TYPE_CHECKING:
+    from osculant.curves.curve import FormulaCurve
+
+#: nodes of the quadrature along a curve
+NODES = 8
 
 Floats = np.ndarray[Any, Any]
 Progress = Callable[[float], None]
@@ -79,6 +85,9 @@ class Part(Protocol):
     def spread(self, count: int) -> Floats:
         """First guess of the knots of so many pieces with equal errors: equal content."""
 
+    def pieces(self, run: Run) -> list[Any]:
+        """The pieces themselves, in the user's coordinates."""
+
 
 def whole_error(runs: Sequence[Run], dimension: int) -> float:
     """The error of runs one after the other: areas (dimension 2) add, of distances the largest counts.
@@ -112,6 +121,30 @@ def equal_shares(times: Floats, total: Floats, count: int) -> Floats:
     knots = np.interp(np.linspace(0.0, total[-1], count + 1), total, times)
     knots[0], knots[-1] = times[0], times[-1]
     return knots
+
+
+def integrated(
+    curve: FormulaCurve, ends: tuple[float, float], panels: int, density: Callable[[Floats], Floats]
+) -> tuple[Floats, Floats]:
+    """(edges of equal panels, the integral from the first of them to each) of a density along a curve.
+
+    Args:
+        curve: that is sampled.
+        ends: of the parameter's interval.
+        panels: in each, Gauss's rule with `NODES` nodes.
+        density: of jets as `FormulaCurve.jets` returns them.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    edges = np.linspace(*ends, panels + 1)
+    half = np.diff(edges) / 2
+    times = (edges[:-1] + half)[:, None] + half[:, None] * nodes
+    values = density(curve.jets(times)).reshape(times.shape)
+    return edges, np.concatenate([[0.0], np.cumsum(half * (values @ weights))])
+
+
+def speed(jets: Floats) -> Floats:
+    """|α̇| of jets (m, dimension, order + 1), the density of arc length."""
+    return np.asarray(np.sqrt(np.square(jets[..., 1]).sum(axis=1)))
 
 
 def share(error: float, level: float, order: int) -> float:

@@ -4,22 +4,19 @@ from __future__ import annotations
 
 import math
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from osculant.approximation.runs import Floats, Progress, Run, equal_parts, equal_shares, not_found, too_many
-from osculant.approximation.space_stretches import LAWS
-from osculant.cas.laws.table import law_of
 from osculant.kernels import bihelix_spline
-from osculant.kernels.bihelices.helix import HELIX_SIZE
 from osculant.kernels.bihelix_given import contents, fit_arcs
-from osculant.pieces.helices import HelixArc, SpacePiece, Vector
 
 if TYPE_CHECKING:
-    from osculant.approximation.space_stretches import SpaceFrame, SpaceStretch
-    from osculant.curves.space import SpaceCurve
-    from osculant.kernels.curves.space import Frame, Place
+    from osculant.approximation.coordinates import Coordinates
+    from osculant.approximation.division import Frame, Stretch
+    from osculant.kernels.curves.space import Frame as Local
+    from osculant.primitives.primitive import Fit
 
 #: pieces per call of the kernel
 CHUNK = 2048
@@ -40,12 +37,11 @@ class SpaceArcs:
 
     exact = False
 
-    def __init__(
-        self, curve: SpaceCurve, rule: int, place: Place, stretch: SpaceStretch, noise: float
-    ) -> None:
-        self.curve, self.rule, self.place, self.stretch, self.noise = curve, rule, place, stretch, noise
-        self.order = law_of(LAWS[stretch.shape]).order
-        self.ends = stretch.a, stretch.b
+    def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch) -> None:
+        self.curve, self.fit, self.stretch = coordinates.curve, fit, stretch
+        self.rule, self.place = fit.code, coordinates.place()
+        self.noise = coordinates.error_noise(fit.degree)
+        self.order, self.ends = fit.law(stretch.kind).order, (stretch.a, stretch.b)
 
     @cached_property
     def least(self) -> int:
@@ -98,9 +94,10 @@ class SpaceArcs:
         knots = equal_shares(times, total, count)
         return knots if (np.diff(knots) > 0).all() else equal_parts(self.ends, count)
 
-    def pieces(self, run: Run) -> list[SpacePiece]:
-        """The pieces themselves."""
-        return [_piece(row) for row in run.rows]
+    def pieces(self, run: Run) -> list[Any]:
+        """The pieces themselves, in the user's coordinates."""
+        make = self.fit.primitive.piece
+        return [make(row, self.place, float(error)) for row, error in zip(run.rows, run.errors, strict=True)]
 
 
 def _run(table: Floats) -> Run:
@@ -115,29 +112,6 @@ def _run(table: Floats) -> Run:
     )
 
 
-def _row(frame: SpaceFrame) -> Frame:
-    return (*frame.point, *frame.tangent)
-
-
-def _piece(row: Floats) -> SpacePiece:
-    """A row of the kernel's table."""
-    left, right = bihelix_spline.LEFT, bihelix_spline.RIGHT
-    arcs = tuple(helix_arc(row[place : place + HELIX_SIZE]) for place in (left, right))
-    a, b, error, _, middle = row[:5].tolist()
-    return SpacePiece((a, b), arcs, error, middle)
-
-
-def helix_arc(helix: Floats) -> HelixArc:
-    """A `kernels.bihelices.helix.Helix` as a `HelixArc`: V of the thesis is minus the axis."""
-    start, tangent, inward = helix[0:3], helix[3:6], helix[9:12]
-    rate, length, _, curvature, torsion = helix[12:17].tolist()
-    axis = tangent
-    if rate:  # V = T₀×(V×T₀) + ⟨V,T₀⟩T₀
-        axis = np.cross(tangent, inward) + torsion / rate * tangent
-        axis = axis / np.linalg.norm(axis)
-    return HelixArc(_vector(start), _vector(tangent), _vector(axis), curvature, torsion, length)
-
-
-def _vector(values: Floats) -> Vector:
-    x, y, z = values.tolist()
-    return x, y, z
+def _row(frame: Frame) -> Local:
+    (x, y, z), (tx, ty, tz) = frame.point, frame.tangent
+    return x, y, z, tx, ty, tz

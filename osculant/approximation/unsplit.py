@@ -17,12 +17,13 @@ import numpy as np
 
 from osculant.approximation.arcs import Arcs
 from osculant.approximation.runs import Floats, Progress, Run
+from osculant.approximation.split_points import as_float
 from osculant.cas.errors import UndecidedError
 
 if TYPE_CHECKING:
-    from osculant.approximation.arcs import Coordinates
+    from osculant.approximation.coordinates import Coordinates
     from osculant.approximation.division import Stretch
-    from osculant.primitives.table import Fit
+    from osculant.primitives.primitive import Fit
 
 #: beginnings tried for an arc across, and ends for each; bisections of the last end
 STARTS, ENDS, HALVINGS = 9, 24, 40
@@ -35,11 +36,9 @@ FARTHEST = 2.0
 class UnsplitArcs(Arcs):
     """A stretch with points inside where theory would split it: a `osculant.approximation.runs.Part`."""
 
-    def __init__(
-        self, coordinates: Coordinates, fit: Fit, stretch: Stretch, points: tuple[float, ...]
-    ) -> None:
+    def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch) -> None:
         super().__init__(coordinates, fit, stretch)
-        self.points = tuple(point for point in points if stretch.a < point < stretch.b)
+        self.points = [at for at in map(as_float, stretch.passed) if stretch.a < at < stretch.b]
 
     @cached_property
     def least(self) -> int:
@@ -73,7 +72,7 @@ class UnsplitArcs(Arcs):
 
     def after(self, t: float) -> UnsplitArcs:
         """The rest of the stretch."""
-        return UnsplitArcs(self.coordinates, self.fit, self.starting_at(t), self.points)
+        return UnsplitArcs(self.coordinates, self.fit, self.starting_at(t))
 
     def fitted_between(self, knots: Floats) -> Run:
         """`fitted` for knots that may end before the stretch does."""

@@ -39,7 +39,7 @@ def print_spline(spline: Spline, seconds: float, files: Sequence[str]) -> None:
 
 def _choice(spline: Spline) -> list[tuple[str, str]]:
     """The primitive, and what else was chosen if it is not the usual; of bihelices the rule in any case."""
-    from osculant.primitives.table import METRICS, PRIMITIVES, first_rule
+    from osculant.primitives.table import METRICS, PRIMITIVES
 
     rows = [("primitive", spline.primitive)]
     if spline.choice is not None:
@@ -50,7 +50,8 @@ def _choice(spline: Spline) -> list[tuple[str, str]]:
         rows += [(f"  {name}", text) for name, _, text in (other.partition(": ") for other in spline.choice)]
     if spline.metric != METRICS[0]:
         rows.append(("metric", spline.metric))
-    usual = first_rule(spline.primitive, spline.metric) if spline.primitive in PRIMITIVES else None
+    plane = PRIMITIVES[2].get(spline.primitive)
+    usual = None if plane is None else plane.rules(spline.metric)[0]
     if spline.rule not in (None, usual):
         rows.append(("rule", str(spline.rule)))
     return rows

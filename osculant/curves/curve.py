@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from osculant.cas.invariants.values import ExactValues
     from osculant.cas.jets.plane import Invariant
-    from osculant.cas.numbers.balls import FormulaBalls
     from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
     from osculant.codegen.jets import CompiledJet
 
@@ -139,8 +138,8 @@ class FormulaCurve(ABC):
 
     @property
     @abstractmethod
-    def balls(self) -> FormulaBalls[Any]:
-        """The curve in ball arithmetic."""
+    def balls(self) -> Any:
+        """The curve in ball arithmetic, a `FormulaBalls` of jets of its dimension."""
 
     @property
     @abstractmethod
@@ -151,6 +150,10 @@ class FormulaCurve(ABC):
     @abstractmethod
     def zeros(self) -> FormZeros[Any]:
         """The zeros of its forms: of what splits a spline."""
+
+    @abstractmethod
+    def bend(self, t: Any) -> float:
+        """The sign of the curvature at a ball t, at the current precision; 1 in space, where it has none."""
 
     @abstractmethod
     def _listed(self) -> tuple[Sequence[Invariant], Sequence[Invariant], int]:

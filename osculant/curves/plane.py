@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from osculant.curves.curve import DIGITS, FormulaCurve, as_constant
 
@@ -63,6 +63,10 @@ class PlaneCurve(FormulaCurve):
         from osculant.cas.zeros.plane import FORMS
 
         return FormZeros(self.balls, FORMS)
+
+    def bend(self, t: Any) -> float:
+        """1 if the curve bends to the left at a ball t, −1 if to the right."""
+        return -1.0 if self.balls.jet(t, 2).inflection_form < 0 else 1.0
 
     def _listed(self) -> tuple[Sequence[Invariant], Sequence[Invariant], int]:
         from osculant.cas.invariants.plane import LENGTHS, ORDER

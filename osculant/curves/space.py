@@ -93,6 +93,10 @@ class SpaceCurve(FormulaCurve):
         """
         return self.exact["tangent"], self.exact["normal"], self.exact["binormal"]
 
+    def bend(self, t: Any) -> float:
+        """1: to be seen from one side or the other is for plane curves."""
+        return 1.0
+
     def _listed(self) -> tuple[Sequence[Invariant], Sequence[Invariant], int]:
         from osculant.cas.invariants.space import ORDER, SPACE_INVARIANTS, SPACE_LENGTHS
 

@@ -1,123 +1,100 @@
-"""What splines can be made of: everything that the front door knows about a primitive, one entry each."""
+"""The table of primitives: what splines can be made of, in the plane and in space."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable
 
 from osculant.cas.errors import DomainError
-from osculant.cas.laws.law import Law
-from osculant.cas.laws.table import law_of
-from osculant.kernels import primitives as codes
+from osculant.primitives.biarc import BIARC
+from osculant.primitives.bihelix import BIHELIX
+from osculant.primitives.conic import CONIC, PARABOLA
+from osculant.primitives.primitive import METRICS, Fit, Primitive
+
+__all__ = ["METRICS", "PRIMITIVES", "USUAL", "Fit", "Primitive", "candidates", "choose", "register"]
+
+#: by dimension of the curves and name
+PRIMITIVES: dict[int, dict[str, Primitive]] = {2: {}, 3: {}}
+#: by dimension, what is taken if nothing is said
+USUAL = {2: "conic", 3: "bihelix"}
 
 
-@dataclass(frozen=True)
-class Fit:
-    """How the pieces are chosen from those tangent to the curve at both ends, and what their error is.
-
-    Attributes:
-        code: its number in the kernels.
-        law: how the error of one short arc depends on its length: its order, and the error's dimension.
-    """
-
-    code: int
-    law: Law
-
-    @property
-    def order(self) -> int:
-        """The error of one short arc is of this order in its length."""
-        return self.law.order
-
-    @property
-    def dimension(self) -> int:
-        """1 if the error is a length, 2 if it is an area."""
-        return self.law.dimension
+def register(primitive: Primitive) -> None:
+    """Enter a primitive into the table; raises ValueError if its name is taken in its dimension."""
+    table = PRIMITIVES[primitive.dimension]
+    if primitive.name in table:
+        raise ValueError(f"The primitive {primitive.name!r} is twice in the table: choose another name.")
+    table[primitive.name] = primitive
 
 
-@dataclass(frozen=True)
-class Primitive:
-    """A kind of pieces.
-
-    Attributes:
-        fits: by metric and rule; the first rule is the default.
-        splits: the special points (`cas.zeros.plane.FORMS`) that split besides cusps and inflections.
-        exact: the property of `osculant.cas.invariants.plane.ExactInvariants` that proves a curve to be one.
-        turning: such a curve is cut into pieces that turn by less than this.
-    """
-
-    fits: Mapping[str, Mapping[str, Fit]]
-    splits: str
-    exact: str
-    turning: float
+for _primitive in (PARABOLA, CONIC, BIARC, BIHELIX):
+    register(_primitive)
 
 
-PRIMITIVES = {
-    "parabola": Primitive(
-        {
-            "hausdorff": {"bitangent": Fit(codes.PARABOLA, law_of("parabola"))},
-            "area": {"bitangent": Fit(codes.AREA_PARABOLA, law_of("parabola", "area"))},
-        },
-        "parabolic",
-        "parabola",
-        math.pi,
-    ),
-    "conic": Primitive(
-        {
-            "hausdorff": {"equioscillating": Fit(codes.CONIC, law_of("conic"))},
-            "area": {
-                "equisymmetric": Fit(codes.EQUISYMMETRIC, law_of("conic", "area")),
-                "minimal-area": Fit(codes.LEAST_AREA, law_of("conic", "area")),
-            },
-        },
-        "sextactic",
-        "conic",
-        math.pi,
-    ),
-    "biarc": Primitive(
-        {
-            "hausdorff": {"equioscillating": Fit(codes.BIARC, law_of("biarc"))},
-            "area": {"equisymmetric": Fit(codes.EQUISYMMETRIC_BIARC, law_of("biarc", "area"))},
-        },
-        "vertex",
-        "circle",
-        2 * math.pi,
-    ),
-}
+def choose(
+    primitive: str, metric: str, rule: str | None = None, *, dimension: int = 2, curve: str = "the curve"
+) -> Fit:
+    """The fit for a primitive, a metric and a rule; the first rule if None.
 
-#: the metrics, the default first
-METRICS = ("hausdorff", "area")
+    Args:
+        primitive: its name.
+        metric: one of `METRICS`.
+        rule: one of the primitive's.
+        dimension: of the curve, 2 or 3.
+        curve: how messages call it.
 
-
-def choose(primitive: str, metric: str, rule: str | None = None) -> Fit:
-    """The fit for a primitive of the plane, a metric and a rule; the first rule if None.
-
-    Raises DomainError for a name that is unknown, saying which there are.
+    Raises DomainError for a name that is unknown, or of the other dimension, saying which there are.
 
     >>> choose("conic", "area") == choose("conic", "area", "equisymmetric")
     True
     """
-    if primitive not in PRIMITIVES:
+    found = PRIMITIVES[dimension].get(primitive)
+    if found is None:
+        raise DomainError(_no_primitive(primitive, dimension, curve))
+    metrics = [name for name in METRICS if found.rules(name)]
+    if metric in METRICS and metric not in metrics and dimension == 3:
         raise DomainError(
-            f"The primitive {primitive!r} is unknown: choose one of {', '.join(PRIMITIVES)} "
-            "(or best, to approximate)."
+            f"The metric {metric!r} is one of plane curves, and {curve} has three coordinates: "
+            f"choose {_one_of(metrics)}, or leave out the third coordinate."
         )
-    if metric not in METRICS:
-        raise DomainError(f"The metric {metric!r} is unknown: choose one of {', '.join(METRICS)}.")
-    rules = PRIMITIVES[primitive].fits[metric]
-    rule = first_rule(primitive, metric) if rule is None else rule
+    if metric not in metrics:
+        raise DomainError(f"The metric {metric!r} is unknown: choose {_one_of(metrics)}.")
+    rules = found.rules(metric)
+    rule = rules[0] if rule is None else rule
     if rule not in rules:
         raise DomainError(
             f"The rule {rule!r} is unknown for {primitive} and the metric {metric}: "
-            f"choose {' or '.join(rules)}, or leave it out."
+            f"choose {_one_of(rules)}, or leave it out."
         )
-    return rules[rule]
+    return Fit(found, metric, rule)
 
 
-def first_rule(primitive: str, metric: str) -> str:
-    """The rule of a primitive if none is asked for.
+def _no_primitive(name: str, dimension: int, curve: str) -> str:
+    """The sentence for a name that the table does not have in this dimension."""
+    names = list(PRIMITIVES[dimension])
+    usual = [USUAL[dimension], *(other for other in names if other != USUAL[dimension])]
+    choices = " or ".join(filter(None, [", ".join(usual[:-1]), usual[-1]]))
+    if dimension == 3:
+        return (
+            f"A curve in space is approximated with {choices}, not {name!r}: "
+            f"choose {choices}, or leave out the third coordinate."
+        )
+    if name in PRIMITIVES[3]:
+        return (
+            f"{PRIMITIVES[3][name].plural.capitalize()} approximate curves in space and {curve} has two "
+            f"coordinates: choose {choices}, or add a third coordinate such as 0."
+        )
+    return f"The primitive {name!r} is unknown: choose {_one_of(names)} (or best, to approximate)."
 
-    >>> first_rule("conic", "area")
-    'equisymmetric'
+
+def _one_of(names: Iterable[str]) -> str:
+    names = list(names)
+    return names[0] if len(names) == 1 else f"one of {', '.join(names)}"
+
+
+def candidates(dimension: int) -> list[str]:
+    """The primitives among which "best" chooses: those whose pieces meet with a common tangent.
+
+    >>> candidates(2)
+    ['parabola', 'conic', 'biarc']
     """
-    return next(iter(PRIMITIVES[primitive].fits[metric]))
+    return [name for name, primitive in PRIMITIVES[dimension].items() if primitive.smooth]

@@ -95,7 +95,7 @@ def test_the_ellipse_splits_at_its_vertices():
 
 
 def test_the_table_of_primitives_is_that_of_the_laws_and_the_kernels():
-    fits = {name: choose(name, "hausdorff") for name in PRIMITIVES}
+    fits = {name: choose(name, "hausdorff") for name in PRIMITIVES[2]}
     assert {name: fit.order for name, fit in fits.items()} == {n: law_of(n).order for n in fits}
     assert [fit.code for fit in fits.values()] == [codes.PARABOLA, codes.CONIC, codes.BIARC]
 

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from osculant.approximation.arcs import Coordinates
 from osculant.approximation.circuits import Circuit
+from osculant.approximation.coordinates import Coordinates
 from osculant.approximation.division import divide
 from osculant.curves.extent import extent
 from osculant.curves.plane import PlaneCurve

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from osculant.approximation.closing import closing
-from osculant.approximation.division import check_finite, divide
+from osculant.approximation.division import divide
 from osculant.cas.errors import DomainError
 from osculant.cas.laws.complexity import complexity_constant
 from osculant.curves.plane import PlaneCurve
@@ -49,7 +49,7 @@ def test_a_period_is_smooth_from_wherever_it_begins(text, low):
 )
 def test_kinds_of_seams(text, low, high, kind):
     curve = PlaneCurve(text, low, high)
-    check_finite(curve)
+    curve.check_finite()
     assert closing(curve) == kind
     if kind == "open":
         with pytest.raises(DomainError, match="is not closed"):

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from osculant.approximation.space_approximation import approximate_in_space
+import osculant as osc
 from osculant.cas.errors import DomainError, OsculantError
 from osculant.curves.space import SpaceCurve
 from osculant.pieces.helices import HelixArc, SpacePiece
@@ -19,7 +19,7 @@ NUMBERS = ("curvature", "torsion", "length")
 
 
 def test_evaluate_sample_and_box():
-    spline = approximate_in_space(SpaceCurve(*CONE), tolerance=1e-3)
+    spline = osc.approximate(SpaceCurve(*CONE), tolerance=1e-3)
     times = np.linspace(spline.knots[0], spline.knots[-1], 50).reshape(5, 10)
     points = spline.evaluate(times)
     assert points.shape == (5, 10, 3)
@@ -34,7 +34,7 @@ def test_evaluate_sample_and_box():
 
 
 def test_json_and_files(tmp_path):
-    spline = approximate_in_space(SpaceCurve(*CONE), tolerance=1e-3)
+    spline = osc.approximate(SpaceCurve(*CONE), tolerance=1e-3)
     path = tmp_path / "cone.json"
     spline.write(path, command="osculant approximate")
     data = json.loads(path.read_text())
@@ -53,7 +53,7 @@ def test_json_and_files(tmp_path):
 
 
 def test_arcs_obey_their_curvature_and_torsion():
-    for arc in approximate_in_space(SpaceCurve(*CONE), tolerance=1e-2).pieces[1].arcs:
+    for arc in osc.approximate(SpaceCurve(*CONE), tolerance=1e-2).pieces[1].arcs:
         u = 0.3
         assert arc.turning < math.tau
         step = 1e-3 * arc.length

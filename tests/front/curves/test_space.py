@@ -12,7 +12,7 @@ import pytest
 import sympy
 from scipy.spatial import cKDTree
 
-from osculant.approximation.space_approximation import approximate_in_space, complexity_in_space
+import osculant as osc
 from osculant.cas.errors import DomainError, FormulaError, ToleranceError
 from osculant.cli.invariants import invariants_data, print_invariants, print_values, values_data
 from osculant.cli.splines import print_spline
@@ -77,7 +77,7 @@ def test_the_number_of_coordinates_is_checked():
     with pytest.raises(FormulaError, match="has two coordinates"):
         PlaneCurve("t, t^2, t^3")
     with pytest.raises(DomainError, match=r"Bihelices approximate curves in space and t, t\*\*2 has two"):
-        approximate_in_space(PlaneCurve("t, t^2", 0, 1))
+        osc.approximate(PlaneCurve("t, t^2", 0, 1), "bihelix")
 
 
 @pytest.mark.parametrize(("low", "high"), [(1, 1), (2, 1), (0, None)])
@@ -135,7 +135,7 @@ def test_reports(capsys):
     assert "torsion                      tau = (t**2 + 6)/(t**4 + 5*t**2 + 8)" in shown
     assert r"\tau = \frac{t^{2} + 6}{t^{4} + 5 t^{2} + 8}" in shown
     assert "torsion                      tau = 0.5\n" in shown
-    print_spline(approximate_in_space(curve, tolerance=1e-3), 0.1, ["a.json"])
+    print_spline(osc.approximate(curve, tolerance=1e-3), 0.1, ["a.json"])
     assert "rule          equioscillating\n" in capsys.readouterr().out
 
 
@@ -155,23 +155,23 @@ def test_reports(capsys):
 )
 def test_counts(curve, tolerance, ours, thesis):
     subject = SpaceCurve(*curve)
-    spline = approximate_in_space(subject, "bihelix", tolerance)
+    spline = osc.approximate(subject, "bihelix", tolerance)
     assert len(spline) == spline.predicted_pieces == ours
-    assert len(approximate_in_space(subject, "bihelix", tolerance, rule="thesis")) == thesis
+    assert len(osc.approximate(subject, "bihelix", tolerance, rule="thesis")) == thesis
     assert tolerance * (1 - 1e-4) < max(spline.errors[:-1]) <= spline.error <= tolerance
 
 
 @pytest.mark.parametrize("rule", ["equioscillating", "thesis"])
 def test_the_error_is_the_hausdorff_distance(rule):
     curve = SpaceCurve(*CONE)
-    spline = approximate_in_space(curve, tolerance=1e-3, rule=rule)
+    spline = osc.approximate(curve, tolerance=1e-3, rule=rule)
     assert two_sided(curve, spline) == pytest.approx(spline.error, rel=1e-3)
 
 
 @pytest.mark.parametrize("text", ["2*cos(t), sin(t), t/5", "t*cos(t), t*sin(t), 2*t*cos(t) - t*sin(t)"])
 def test_splines_are_tangent_continuous_and_meet_the_curve(text):
     curve = SpaceCurve(text, "1/2", "5")
-    spline = approximate_in_space(curve, tolerance=1e-4)
+    spline = osc.approximate(curve, tolerance=1e-4)
     assert spline.max_tangent_jump() < 1e-14
     arcs = [arc for piece in spline.pieces for arc in piece.arcs]
     size = extent(curve).size
@@ -182,7 +182,7 @@ def test_splines_are_tangent_continuous_and_meet_the_curve(text):
 
 
 def test_a_planar_curve_becomes_biarcs():
-    spline = approximate_in_space(SpaceCurve("t*cos(t), t*sin(t), 0", "pi/6", "2*pi"), tolerance=1e-6)
+    spline = osc.approximate(SpaceCurve("t*cos(t), t*sin(t), 0", "pi/6", "2*pi"), tolerance=1e-6)
     assert len(spline) == 91
     assert all(abs(arc.torsion) < 1e-9 * arc.curvature for piece in spline.pieces for arc in piece.arcs)
 
@@ -191,7 +191,7 @@ def test_a_planar_curve_becomes_biarcs():
 def test_the_scale_does_not_matter(factor):
     size = float(sympy.sympify(factor.replace("^", "**")))
     curve = SpaceCurve(f"{factor}*t*cos(t), {factor}*t*sin(t), {factor}*t", *CONE[1:])
-    spline = approximate_in_space(curve, tolerance=1e-4 * size)
+    spline = osc.approximate(curve, tolerance=1e-4 * size)
     assert len(spline) == 19
     assert spline.predicted == pytest.approx(18.344131794711, rel=1e-10)
 
@@ -208,40 +208,40 @@ def test_the_scale_does_not_matter(factor):
 )
 def test_helices_circles_and_lines_are_exact(text, high, kind, pieces):
     curve = SpaceCurve(text, 0, high)
-    spline = approximate_in_space(curve, tolerance=1e-6)
+    spline = osc.approximate(curve, tolerance=1e-6)
     assert [piece.kind for piece in spline.pieces] == [kind] * pieces
     assert (spline.error, spline.error_kind, spline.predicted) == (0.0, "exact", 0.0)
     assert all(piece.arcs[0].turning < math.tau for piece in spline.pieces)
     assert two_sided(curve, spline, 20_001) < 1e-5 * extent(curve).size  # of the polylines
     last = curve.compiled(curve.interval[1])[:, 0]
     assert np.allclose(spline.pieces[-1].end, last, rtol=0, atol=2e-14 * extent(curve).size)
-    assert complexity_in_space(curve).predicted_pieces(1e-6) == pieces
+    assert osc.complexity(curve).predicted_pieces(1e-6) == pieces
 
 
 def test_constant_curvature_has_a_law_of_its_own():
     curve = SpaceCurve(SALKOWSKI, "1/2", "2")
     assert curve.curvature == 1
-    law = complexity_in_space(curve)
+    law = osc.complexity(curve)
     assert law.order == 4
-    assert len(approximate_in_space(curve, tolerance=1e-8)) == law.predicted_pieces(1e-8) == 12
+    assert len(osc.approximate(curve, tolerance=1e-8)) == law.predicted_pieces(1e-8) == 12
 
 
 def test_vertices_inflections_and_cusps_split():
-    spline = approximate_in_space(SpaceCurve("t, t^3, 0", -1, 1), tolerance=1e-4)
+    spline = osc.approximate(SpaceCurve("t, t^3, 0", -1, 1), tolerance=1e-4)
     assert spline.splits == pytest.approx((-((1 / 45) ** 0.25), 0.0, (1 / 45) ** 0.25))
     assert spline.undecided == ()
-    cusp = approximate_in_space(SpaceCurve("t^2, t^3, t^4", -1, 1), tolerance=1e-4)
+    cusp = osc.approximate(SpaceCurve("t^2, t^3, t^4", -1, 1), tolerance=1e-4)
     assert cusp.splits == (0.0,) == tuple(cusp.cusps)
-    asked = approximate_in_space(SpaceCurve(*MOMENT), tolerance=1e-2, split_at=["1/3"])
+    asked = osc.approximate(SpaceCurve(*MOMENT), tolerance=1e-2, split_at=["1/3"])
     assert asked.splits == (1 / 3,)
 
 
 def test_a_large_tolerance_is_measured_all_the_same():
     curve = SpaceCurve(*CONE)
-    spline = approximate_in_space(SpaceCurve("t, t^2, t^3", 0, 1), tolerance=1e3)
+    spline = osc.approximate(SpaceCurve("t, t^2, t^3", 0, 1), tolerance=1e3)
     assert (len(spline), spline.minimal) == (1, "proved")
     assert two_sided(SpaceCurve(*MOMENT), spline) == pytest.approx(spline.error, rel=1e-4)
-    assert approximate_in_space(curve, tolerance=1.0).error <= 1.0
+    assert osc.approximate(curve, tolerance=1.0).error <= 1.0
 
 
 @pytest.mark.parametrize(
@@ -255,28 +255,28 @@ def test_a_large_tolerance_is_measured_all_the_same():
 )
 def test_undefined_curves_are_refused(text, message):
     with pytest.raises(DomainError, match=message):
-        approximate_in_space(SpaceCurve(text, 0, 2))
+        osc.approximate(SpaceCurve(text, 0, 2))
 
 
 def test_bad_choices_are_refused():
     curve = SpaceCurve(*MOMENT)
     for tolerance in (0, -1, math.nan, "x", 1e-16):
         with pytest.raises(ToleranceError):
-            approximate_in_space(curve, tolerance=tolerance)
+            osc.approximate(curve, tolerance=tolerance)
     with pytest.raises(DomainError, match="not 'conic'"):
-        approximate_in_space(curve, "conic")
+        osc.approximate(curve, "conic")
     with pytest.raises(DomainError, match="rule 'best' is unknown"):
-        approximate_in_space(curve, rule="best")
+        osc.approximate(curve, rule="best")
     with pytest.raises(DomainError, match="metric 'area' is one of plane curves, and t, "):
-        complexity_in_space(curve, metric="area")
+        osc.complexity(curve, metric="area")
     with pytest.raises(DomainError, match="metric 'taxi' is unknown"):
-        approximate_in_space(curve, metric="taxi")
+        osc.approximate(curve, metric="taxi")
     with pytest.raises(DomainError, match="way to split 'often' is unknown"):
-        approximate_in_space(curve, split="often")
+        osc.approximate(curve, split="often")
     with pytest.raises(DomainError, match="split point 2 is not inside"):
-        approximate_in_space(curve, split_at=[2])
+        osc.approximate(curve, split_at=[2])
     with pytest.raises(DomainError, match="has no interval"):
-        approximate_in_space(SpaceCurve(MOMENT[0]))
+        osc.approximate(SpaceCurve(MOMENT[0]))
 
 
 def test_constants_against_mpmath():
@@ -290,7 +290,7 @@ def test_constants_against_mpmath():
 
     with mp.workdps(30):
         expected = mp.quad(density, mp.linspace(1, 2, 5))
-    [constant] = complexity_in_space(SpaceCurve("t, t^2, t^3", 1, 2)).constants
+    [constant] = osc.complexity(SpaceCurve("t, t^2, t^3", 1, 2)).constants
     assert abs(mp.mpf(constant) - expected) < 1e-15
 
 

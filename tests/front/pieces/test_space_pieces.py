@@ -9,14 +9,15 @@ import numpy as np
 import pytest
 
 import osculant as osc
+from osculant.approximation.coordinates import Coordinates
+from osculant.approximation.division import divide
 from osculant.approximation.equal_errors import equalise
 from osculant.approximation.exact_helices import Helices
-from osculant.approximation.space_approximation import approximate_in_space
-from osculant.approximation.space_fitting import SpaceFitting
-from osculant.approximation.space_stretches import divide
+from osculant.approximation.fitting import Fitting
 from osculant.cas.errors import DomainError, ToleranceError
 from osculant.curves.extent import extent
 from osculant.curves.space import SpaceCurve
+from osculant.primitives.table import choose
 
 CURVES = {
     "conical spiral": SpaceCurve("t*cos(t), t*sin(t), t", "pi/6", "2*pi"),
@@ -38,8 +39,11 @@ def errors_by_stretch(spline):
     ]
 
 
+BIHELIX = choose("bihelix", "hausdorff", dimension=3)
+
+
 def fitting_of(curve):
-    return SpaceFitting(curve, "equioscillating", divide(curve), extent(curve))
+    return Fitting(curve, BIHELIX, divide(curve, "bihelix"), extent(curve))
 
 
 @pytest.mark.parametrize("name", CURVES)
@@ -48,14 +52,14 @@ def test_a_number_of_pieces_is_the_inverse_of_a_tolerance(name):
     noise = NOISE_ULPS * fitting.size.rounding()
     before = math.inf
     for count in range(sum(part.least for part in fitting.parts), 61):
-        runs = fitting.of_number(count)
+        runs = fitting.for_number(count).runs
         assert sum(map(len, runs)) == count
         for run in runs:
             assert np.ptp(run.errors) <= 1e-9 * run.error + 2 * noise  # rounding at both ends
         error = max(run.error for run in runs)
         assert error < before
         before = error
-        assert sum(map(len, fitting.within(error * (1 + 1e-9)))) == count
+        assert fitting.for_tolerance(error * (1 + 1e-9)).count == count
 
 
 @pytest.mark.parametrize("name", CURVES)
@@ -63,21 +67,21 @@ def test_splines_of_a_given_number_of_pieces(name):
     curve = CURVES[name]
     noise = NOISE_ULPS * extent(curve).rounding()
     for count in (4, 23, 60):
-        spline = approximate_in_space(curve, pieces=count)
+        spline = osc.approximate(curve, pieces=count)
         assert len(spline) == count
         assert (spline.given, spline.minimal, spline.rule) == ("pieces", "unknown", "equioscillating")
         assert spline.max_tangent_jump() < 1e-13
         for errors in errors_by_stretch(spline):
             assert np.ptp(errors) <= 1e-9 * errors.max() + 2 * noise
         assert spline.error <= spline.tolerance <= spline.error * (1 + 3e-7) + noise
-        assert len(approximate_in_space(curve, tolerance=spline.error * (1 + 1e-9))) == count
+        assert len(osc.approximate(curve, tolerance=spline.error * (1 + 1e-9))) == count
     assert spline.predicted_error == pytest.approx(spline.error, rel=0.2 if spline.splits else 1e-3)
 
 
 @pytest.mark.parametrize("count", [9, 40])
 def test_no_knots_nearby_are_better(count):
     (part,) = fitting_of(CURVES["conical spiral"]).parts
-    spline = approximate_in_space(CURVES["conical spiral"], pieces=count)
+    spline = osc.approximate(CURVES["conical spiral"], pieces=count)
     knots = np.array(spline.knots)
     assert part.fitted(knots).error == pytest.approx(spline.error, rel=1e-10)
     rng = np.random.default_rng(count)
@@ -99,7 +103,7 @@ def test_stretches_share_the_pieces():
     curve = SpaceCurve("2*cos(t), sin(t), t/5", "3/10", 5)
     before = math.inf
     for count in (4, 9, 20, 33, 60):
-        spline = approximate_in_space(curve, pieces=count)
+        spline = osc.approximate(curve, pieces=count)
         stretches = errors_by_stretch(spline)
         assert (len(spline), len(stretches)) == (count, 4)
         assert spline.error <= before
@@ -120,7 +124,7 @@ def test_both_rules(rule):
 
 def test_the_thesis_rule_has_larger_errors():
     ours, thesis = (
-        approximate_in_space(CURVES["conical spiral"], pieces=15, rule=rule).error
+        osc.approximate(CURVES["conical spiral"], pieces=15, rule=rule).error
         for rule in ("equioscillating", "thesis")
     )
     assert ours < thesis < 1.6 * ours
@@ -129,8 +133,8 @@ def test_the_thesis_rule_has_larger_errors():
 @pytest.mark.parametrize("factor", ["10^6", "10^(-6)"])
 def test_the_unit_of_length_does_not_matter(factor):
     size = float(eval_power(factor))
-    spline = approximate_in_space(SpaceCurve(f"{factor}*t, {factor}*t^2, {factor}*t^3", 0, 1), pieces=10)
-    plain = approximate_in_space(CURVES["moment curve"], pieces=10)
+    spline = osc.approximate(SpaceCurve(f"{factor}*t, {factor}*t^2, {factor}*t^3", 0, 1), pieces=10)
+    plain = osc.approximate(CURVES["moment curve"], pieces=10)
     assert spline.error / size == pytest.approx(plain.error, rel=1e-8)
     assert np.allclose(spline.knots, plain.knots, atol=1e-8)
 
@@ -153,7 +157,7 @@ def test_exact_curves_take_any_number_of_pieces(text, high, kind, least, numbers
     curve = SpaceCurve(text, 0, high)
     size = extent(curve).size
     for count in (least, least + 1, 17):
-        spline = approximate_in_space(curve, pieces=count)
+        spline = osc.approximate(curve, pieces=count)
         assert [piece.kind for piece in spline.pieces] == [kind] * count
         assert (spline.error, spline.error_kind) == (0.0, "exact")
         assert spline.predicted_pieces == least
@@ -167,31 +171,32 @@ def test_exact_curves_take_any_number_of_pieces(text, high, kind, least, numbers
         assert spline.max_tangent_jump() < 1e-12
     if least > 1:
         with pytest.raises(DomainError, match=f"takes at least {least}, as it turns too far"):
-            approximate_in_space(curve, pieces=least - 1)
+            osc.approximate(curve, pieces=least - 1)
 
 
 def test_a_whole_turn_is_too_much_for_one_arc():
     for high, least in (("2*pi - 10^(-6)", 1), ("2*pi", 2), ("4*pi", 3)):
         curve = SpaceCurve("cos(t), sin(t), 0", 0, high)
-        assert Helices(curve, divide(curve).stretches[0]).least == least
+        (stretch,) = divide(curve, "bihelix").stretches
+        assert Helices(Coordinates(curve, extent(curve)), BIHELIX, stretch).least == least
 
 
 def test_closed_curves():
-    spline = approximate_in_space(CROWN, pieces=24, closed=True)
+    spline = osc.approximate(CROWN, pieces=24, closed=True)
     assert spline.closed and spline.to_json()["closed"] is True
     assert np.allclose(spline.pieces[0].start, spline.pieces[-1].end, atol=1e-14)
     first, last = spline.pieces[0], spline.pieces[-1]
     assert np.allclose(first.tangent(0.0), last.tangent(1.0), atol=1e-14)
     for closed in (None, False):
-        again = approximate_in_space(CROWN, pieces=24, closed=closed)
+        again = osc.approximate(CROWN, pieces=24, closed=closed)
         assert again == spline
-    assert not approximate_in_space(CURVES["moment curve"], pieces=3).closed
+    assert not osc.approximate(CURVES["moment curve"], pieces=3).closed
     with pytest.raises(DomainError, match="is not closed: it begins at"):
-        approximate_in_space(SpaceCurve("cos(t), sin(t), sin(2*t)/2", 0, "6.2832"), closed=True)
+        osc.approximate(SpaceCurve("cos(t), sin(t), sin(2*t)/2", 0, "6.2832"), closed=True)
 
 
 def test_vertices_need_not_split():
-    split, whole = (approximate_in_space(CROWN, tolerance=1e-4, split=split) for split in ("theory", "never"))
+    split, whole = (osc.approximate(CROWN, tolerance=1e-4, split=split) for split in ("theory", "never"))
     assert (split.split, whole.split) == ("theory", "never")
     assert len(split.splits) == 7
     assert whole.splits == ()
@@ -200,16 +205,16 @@ def test_vertices_need_not_split():
     # theory's integral has the same singularities
     assert whole.predicted == pytest.approx(split.predicted, rel=1e-12)
     assert whole.predicted_pieces <= split.predicted_pieces
-    cusp = approximate_in_space(SpaceCurve("t^2, t^3, t^4", -1, 1), pieces=8, split="never")
+    cusp = osc.approximate(SpaceCurve("t^2, t^3, t^4", -1, 1), pieces=8, split="never")
     assert cusp.splits == tuple(cusp.cusps) == (0.0,)
-    flat = approximate_in_space(SpaceCurve("t, t^3, 0", -1, 1), pieces=8, split="never")
+    flat = osc.approximate(SpaceCurve("t, t^3, 0", -1, 1), pieces=8, split="never")
     assert flat.splits == (0.0,)
 
 
 def test_cusps_with_any_number_of_pieces():
     curve = SpaceCurve("t^2, t^3, t^4", -1, 1)
     for count in (2, 3, 10, 11, 30):
-        spline = approximate_in_space(curve, pieces=count)
+        spline = osc.approximate(curve, pieces=count)
         assert len(spline) == count
         assert spline.cusps == [0.0]
         assert spline.max_tangent_jump() < 1e-13
@@ -234,14 +239,14 @@ def test_bad_requests():
     curve = CURVES["moment curve"]
     for bad in (0, -3, 2.5, "many"):
         with pytest.raises(DomainError, match=f"number of pieces is {bad}: give a whole number"):
-            approximate_in_space(curve, pieces=bad)
+            osc.approximate(curve, pieces=bad)
     with pytest.raises(DomainError, match=r"Both a tolerance, 0\.1, and a number of pieces, 3, are given"):
-        approximate_in_space(curve, tolerance=0.1, pieces=3)
+        osc.approximate(curve, tolerance=0.1, pieces=3)
     with pytest.raises(DomainError, match="takes at least 8, as it is split into 8 parts"):
-        approximate_in_space(CROWN, pieces=7)
+        osc.approximate(CROWN, pieces=7)
     with pytest.raises(DomainError, match="metric 'area' is one of plane curves"):
-        approximate_in_space(curve, pieces=3, metric="area")
+        osc.approximate(curve, pieces=3, metric="area")
     with pytest.raises(DomainError, match="way to split 'often' is unknown"):
-        approximate_in_space(curve, pieces=3, split="often")
+        osc.approximate(curve, pieces=3, split="often")
     with pytest.raises(ToleranceError, match="below the rounding floor"):
-        approximate_in_space(curve, tolerance=1e-15)
+        osc.approximate(curve, tolerance=1e-15)

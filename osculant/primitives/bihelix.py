@@ -1,0 +1,84 @@
+"""Bihelices: pairs of helical arcs with a common tangent, tangent to a space curve at both ends."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from osculant.pieces.helices import HelixArc, SpacePiece, Vector
+from osculant.primitives.primitive import Floats, Itself, Primitive
+
+if TYPE_CHECKING:
+    from osculant.kernels.curves.space import Place
+
+
+def equioscillating() -> int:
+    """The kernels' number of the rule that makes the errors on both sides of the junction equal."""
+    from osculant.kernels.bihelices.family import EQUIOSCILLATING
+
+    return EQUIOSCILLATING
+
+
+def thesis() -> int:
+    """The kernels' number of the rule of section 4.1.2."""
+    from osculant.kernels.bihelices.family import THESIS
+
+    return THESIS
+
+
+def bihelix_piece(row: Floats, place: Place, error: float) -> SpacePiece:
+    """A row of the kernel's table (`kernels.bihelix_spline`), which is in the user's coordinates."""
+    from osculant.kernels.bihelices.helix import HELIX_SIZE
+    from osculant.kernels.bihelix_spline import LEFT, RIGHT
+
+    a, b, _, _, junction = row[:5].tolist()
+    arcs = tuple(helix_arc(row[first : first + HELIX_SIZE]) for first in (LEFT, RIGHT))
+    return SpacePiece((a, b), arcs, error, junction)
+
+
+def helix_arc(helix: Floats) -> HelixArc:
+    """A `kernels.bihelices.helix.Helix` as a `HelixArc`: V of the thesis is minus the axis."""
+    start, tangent, inward = helix[0:3], helix[3:6], helix[9:12]
+    rate, length, _, curvature, torsion = helix[12:17].tolist()
+    axis = tangent
+    if rate:  # V = T₀×(V×T₀) + ⟨V,T₀⟩T₀
+        axis = np.cross(tangent, inward) + torsion / rate * tangent
+        axis = axis / np.linalg.norm(axis)
+    return HelixArc(_vector(start), _vector(tangent), _vector(axis), curvature, torsion, length)
+
+
+def segment(interval: tuple[float, float], start: Vector, end: Vector) -> SpacePiece:
+    """The straight piece between two points.
+
+    >>> segment((0.0, 1.0), (0.0, 0.0, 1.0), (0.0, 0.0, 3.0)).arcs[0].length
+    2.0
+    """
+    length = math.dist(start, end)
+    x, y, z = ((last - first) / length for first, last in zip(start, end))
+    return SpacePiece(interval, (HelixArc(start, (x, y, z), (x, y, z), 0.0, 0.0, length),), 0.0)
+
+
+def _vector(values: Floats) -> Vector:
+    x, y, z = values.tolist()
+    return x, y, z
+
+
+BIHELIX = Primitive(
+    name="bihelix",
+    plural="bihelices",
+    dimension=3,
+    methods={
+        "hausdorff": {
+            "equioscillating": equioscillating,
+            "thesis": thesis,
+        },
+    },
+    theory=("vertex",),
+    itself=Itself("helix", ("vertex", "slope"), lambda exact: exact.circular_helix, turning=2 * math.pi),
+    minimal="unknown",
+    piece=bihelix_piece,
+    segment=segment,
+    monotone=False,  # only while errors are small
+)

@@ -1,0 +1,123 @@
+"""What the front door knows about a kind of pieces: the records that the files of this folder fill in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+
+import numpy as np
+
+from osculant.cas.laws import law as laws
+from osculant.cas.laws.law import Law
+from osculant.cas.laws.table import law_of
+
+if TYPE_CHECKING:
+    from osculant.kernels.curves.plane import Place
+
+#: how errors are measured, the default first
+METRICS = tuple(laws.METRICS)
+
+Floats: TypeAlias = np.ndarray[Any, Any]
+Point: TypeAlias = Sequence[float]
+
+
+@dataclass(frozen=True)
+class Itself:
+    """When a curve is of arcs of a primitive: then its pieces are parts of it.
+
+    Attributes:
+        shape: what such a curve is.
+        forms: of the curve's zeros, those that vanish identically; if only the first do, the curve is level,
+            and the primitive has another law there, by the name "level …".
+        proof: whether a curve's exact invariants prove it; None if undecided.
+        turning: such a curve is cut into pieces that turn by less than this.
+    """
+
+    shape: Literal["conic", "circle", "helix"]
+    forms: tuple[str, ...]
+    proof: Callable[[Any], bool | None]
+    turning: float
+
+
+@dataclass(frozen=True)
+class Primitive:
+    """A kind of pieces for the curves of one dimension.
+
+    Attributes:
+        name: as `osculant.approximate` takes it, and `osculant.cas.laws.table`.
+        plural: as sentences say it.
+        dimension: of the curves, 2 or 3.
+        methods: by metric and rule, the default first, what loads the method's number in the kernels; how a
+            piece is chosen from those tangent to the curve at both ends.
+        splits: the special points where no piece can pass, besides cusps; by form of the curve's zeros.
+        theory: those where only theory wants a knot, as errors are not monotone across.
+        itself: of curves that are arcs of the primitive; None if only straight lines are.
+        monotone: whether an error grows with the arc, away from the points above.
+        minimal: what is claimed of the least number of pieces that the search finds.
+        smooth: whether pieces meet with a common tangent; others are no candidates for the best.
+        piece: (row of the kernel's table, the kernel's place of the curve, error) → the piece.
+        segment: (interval, start, end) → the straight piece.
+    """
+
+    name: str
+    plural: str
+    dimension: int
+    methods: Mapping[str, Mapping[str, Callable[[], int]]]
+    theory: tuple[str, ...]
+    itself: Itself | None
+    minimal: Literal["by theory", "unknown"]
+    piece: Callable[[Floats, Place, float], Any]
+    segment: Callable[[tuple[float, float], Any, Any], Any]
+    splits: tuple[str, ...] = ("inflection",)
+    monotone: bool = True
+    smooth: bool = True
+
+    def rules(self, metric: str) -> tuple[str, ...]:
+        """The rules for a metric, the default first; none if errors are not measured so."""
+        return tuple(self.methods.get(metric, ()))
+
+
+@dataclass(frozen=True)
+class Fit:
+    """What pieces are, how their error is measured, and by what rule they are chosen.
+
+    >>> from osculant.primitives.table import choose
+    >>> fit = choose("conic", "area")
+    >>> fit.rule, fit.order, fit.degree
+    ('equisymmetric', 6, 2)
+    """
+
+    primitive: Primitive
+    metric: str
+    rule: str
+
+    @property
+    def code(self) -> int:
+        """The number of the method in the kernels, which are loaded only now."""
+        return self.primitive.methods[self.metric][self.rule]()
+
+    def law(self, kind: str = "generic") -> Law:
+        """How the error of one short arc depends on its length, on a stretch of that kind."""
+        name = self.primitive.name
+        return law_of(f"level {name}" if kind == "level" else name, self.metric)
+
+    @property
+    def order(self) -> int:
+        """The error of one short arc is of this order in its length."""
+        return self.law().order
+
+    @property
+    def degree(self) -> int:
+        """1 if the error is a length, 2 if it is an area."""
+        return self.law().dimension
+
+
+def user_point(place: Place, x: float, y: float) -> tuple[float, float]:
+    """A point of the plane in the user's coordinates, from the kernel's, by the place of its curve.
+
+    >>> user_point((1.0, 2.0, 0.5, -1.0, 0.0), 0.5, 0.5)
+    (2.0, 1.0)
+    """
+    back = 1.0 / place[2]
+    return x * back + place[0], y * back * place[3] + place[1]
