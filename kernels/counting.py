@@ -34,20 +34,20 @@ def count_larger(
     that is too long leaves fewer.
     """
     curve, space = source(fit, address, place), workspace(fit)
-    turning = rules(fit).turning
-    state = begin(fit)
+    rule = rules(fit)
+    low, high = LARGER * high, LARGEST * high
+    exponent, state = rule.order, begin(fit)
     previous = math.nan
     for count in range(1, MOST_PIECES):
-        far = farthest(course, a, stop, turning)
-        b, _, after, found = quick_arc(
-            fit, curve, a, start, stop, last, far, length, LARGER * high, LARGEST * high, state, space
+        far = farthest(course, a, stop, rule.turning)
+        b, _, after, exponent, found = quick_arc(
+            fit, curve, a, start, stop, last, far, length, low, high, exponent, state, space
         )
         if found:
             state = after
         else:
-            b, _, _, _ = careful_arc(
-                fit, curve, a, start, stop, last, far, length, LARGER * high, LARGEST * high, course, space
-            )
+            b, _, _, _ = careful_arc(fit, curve, a, start, stop, last, far, length, low, high, course, space)
+            exponent = rule.order
             if not b > a:
                 return count
         if b == stop:

@@ -1,7 +1,7 @@
 """How a stretch goes: turning of the tangent and length, accumulated along it.
 
-Samples of one arc cannot tell whole turns apart, nor whether the curve is somewhere else between them.  So the
-course of a stretch is laid out once, from as many samples as it takes for turning and length to come out
+Samples of one arc cannot tell whole turns apart, nor whether the curve is somewhere else between them.  So
+the course of a stretch is laid out once, from as many samples as it takes for turning and length to come out
 the same in two ways, and says of every arc how far it turns and how many samples resolve it.
 """
 
@@ -111,7 +111,7 @@ def farthest(course: np.ndarray[Any, Any], a: float, stop: float, turning: float
     i = row_before(course, TURNED, turned)
     low, high = course[i], course[i + 1]
     part = (turned - low[TURNED]) / (high[TURNED] - low[TURNED])
-    return min(stop, low[TIME] + part * (high[TIME] - low[TIME]))
+    return float(min(stop, low[TIME] + part * (high[TIME] - low[TIME])))
 
 
 @kernel

@@ -76,7 +76,7 @@ def fit_arcs(
     fit: Any, address: int, place: Any, knots: np.ndarray[Any, Any], start: Any, last: Any,
     course: np.ndarray[Any, Any], table: np.ndarray[Any, Any],
 ) -> None:  # fmt: skip
-    """Fill ``table`` (m, columns of the family) with the best pieces of the arcs between m + 1 neighbouring knots.
+    """Fill ``table`` with the best pieces of the m arcs between m + 1 neighbouring knots.
 
     Args:
         fit: a record (`osculant.kernels.operations`).
@@ -86,7 +86,7 @@ def fit_arcs(
         start: the (limit) frame at the first knot.
         last: at the last one.
         course: of the stretch (`osculant.kernels.course`).
-        table: rows for `record`; the error of an arc without a proper piece is infinite.
+        table: (m, columns of the family); the error of an arc without a proper piece is infinite.
 
     Errors are those of `best`, as smooth in the knots as rounding permits.
     """

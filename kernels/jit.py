@@ -28,8 +28,8 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 #: how many versions of one family's machine code may lie in the cache folder
 KEPT_VERSIONS = 3
 #: what all kernels are compiled with, and those that only kernels call
-OPTIONS = {"nogil": True, "error_model": "numpy"}
-BARE = {**OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
+BARE: Any = {**OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 #: what numba raises for entries of its cache that are damaged, or that it cannot write
 UNUSABLE = (pickle.UnpicklingError, EOFError, OSError)
 
@@ -58,6 +58,7 @@ class Kernel:
 
     def __init__(self, function: Callable[..., Any]) -> None:
         update_wrapper(self, function)
+        self._function = function
         self._bare = numba.njit(**BARE)(function)
         self._faces: dict[type, Any] = {}
 
@@ -67,12 +68,13 @@ class Kernel:
         return self._bare._numba_type_
 
     def __call__(self, *args: Any) -> Any:
+        """Call the machine code, after compiling it if it is not there yet."""
         first = type(args[0]) if args else type(None)
         face = self._faces.get(first) or self._face(first)
         try:
             return face(*args)
         except UNUSABLE:  # before anything was computed: kernels raise nothing
-            self._faces[first] = numba.njit(**OPTIONS)(self.__wrapped__)
+            self._faces[first] = numba.njit(**OPTIONS)(self._function)
             return self._faces[first](*args)
 
     def _face(self, first: type) -> Any:
@@ -84,7 +86,7 @@ class Kernel:
         before = settings.CACHE_DIR
         settings.CACHE_DIR = str(_folder(tuple(modules)))
         try:
-            face = numba.njit(cache=True, **OPTIONS)(self.__wrapped__)
+            face = numba.njit(cache=True, **OPTIONS)(self._function)
         finally:
             settings.CACHE_DIR = before
         self._faces[first] = face
@@ -143,7 +145,7 @@ class _Listener(event.Listener):
         self.call = call
 
     def on_start(self, happening: event.Event) -> None:
-        event.unregister("numba:compile", self)
+        event.unregister("numba:compile", self)  # type: ignore[no-untyped-call]
         self.call()
 
     def on_end(self, happening: event.Event) -> None:
@@ -152,4 +154,4 @@ class _Listener(event.Listener):
 
 def when_compiling(call: Callable[[], None]) -> None:
     """Call ``call`` once, as soon as a kernel has to be compiled in this process and is not found on disk."""
-    event.register("numba:compile", _Listener(call))
+    event.register("numba:compile", _Listener(call))  # type: ignore[no-untyped-call]

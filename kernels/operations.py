@@ -1,8 +1,8 @@
 """What every kind of piece can do, by the type of its record.
 
-A record is a `NamedTuple` that stands for a fit: a primitive, its metric and rule.  Generic kernels (`search`,
-`given_knots`, `counting`, `quadrature`, `course`) take one as first argument, and its type chooses the
-functions of its family when numba compiles: nothing is asked at run time, and each fit is compiled alone.
+A record is a `NamedTuple` that stands for a fit: a primitive, its metric and rule.  Generic kernels
+(`search`, `given_knots`, `counting`, `quadrature`, `course`) take one as first argument, and its type chooses
+the functions of its family when numba compiles: nothing is asked at run time, and each fit is compiled alone.
 A family registers its records in its ``records`` module; generic kernels import no family.
 """
 
@@ -22,6 +22,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 #: the operations by name, and what each record does for them
 _OPERATIONS: dict[str, Callable[..., Any]] = {}
 _RECORDS: dict[type, dict[str, Any]] = {}
+_COLUMNS: dict[type, int] = {}
 
 
 def operation(stub: Function) -> Function:
@@ -41,18 +42,24 @@ def operation(stub: Function) -> Function:
     return stub
 
 
-def register(record: type, /, **functions: Any) -> None:
+def register(record: type, columns: int, /, **functions: Any) -> None:
     """Register what a fit does for each operation.
 
     Args:
         record: a `NamedTuple` class of its own, importable: numba's cache names it.
+        columns: of the family's rows.
         functions: by the name of the operation a kernel with its arguments, or a constant that it returns.
 
     Raises ValueError for a record that is registered already.
     """
     if record in _RECORDS:
         raise ValueError(f"The fit {record.__name__} is registered already.")
-    _RECORDS[record] = functions
+    _RECORDS[record], _COLUMNS[record] = functions, columns
+
+
+def columns(record: type) -> int:
+    """How many columns the rows of a fit have."""
+    return _COLUMNS[record]
 
 
 def operations() -> Mapping[str, Callable[..., Any]]:
@@ -94,8 +101,8 @@ class Rules(NamedTuple):
     turning: float = TURNING
 
 
-# The ends of arcs are frames, points with tangents, in the kernel's coordinates.  ``source`` is what the curve
-# is sampled by, ``space`` the family's scratch space.  A *state* is what the fast steps of one arc leave for
+# The ends of arcs are frames, points with tangents, in the kernel's coordinates.  ``source`` is what samples
+# the curve, ``space`` the family's scratch space.  A *state* is what the fast steps of one arc leave for
 # those of the next; a *choice* tells one member of the family of pieces that are tangent at both ends, and a
 # *piece* all that is recorded of it.
 
@@ -155,7 +162,7 @@ def confirm(
 
 @operation
 def best(fit: Any, source: Any, a: Any, start: Any, b: Any, end: Any, points: Any, space: Any) -> Any:
-    """(error, piece) of the best piece of the arc, sought with care; the error is infinite if there is none."""
+    """(error, piece) of the best piece of the arc, sought with care; an infinite error if there is none."""
 
 
 @operation

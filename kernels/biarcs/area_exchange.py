@@ -112,7 +112,11 @@ def within(place: float, step: float) -> float:
 def balanced(
     source: Source, a: float, start: Frame, b: float, end: Frame, places: Places, rule: int
 ) -> tuple[float, float, float, float, Places]:
-    """(area, μ, relative correction of the places, …) as `visit`, with one rule; also the quadrature's estimated error in parts of the area."""
+    """(area, μ, unrest, error, places moved) of the member with equal moons, with one rule of `gauss`.
+
+    The unrest is the relative correction of the places, the error that of the quadrature, both in parts of
+    the area; they are infinite if μ did not settle, or nothing is found.
+    """
     failed = (math.nan, math.nan, math.inf, math.inf, places)
     fam = family(start, end)
     if not is_proper(fam):

@@ -43,7 +43,7 @@ class Family(NamedTuple):
 
 
 class Biarc(NamedTuple):
-    """(p_L, T_L), the junction (p₀, T₀), (p_R, T_R), and the curvatures of the first and of the second arc."""
+    """(p_L, T_L), the junction (p₀, T₀), (p_R, T_R), and the curvatures of both arcs."""
 
     x0: float
     y0: float

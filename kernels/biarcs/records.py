@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from osculant.kernels.biarcs import area_exchange, area_scan, exchange, scan
+from osculant.kernels.biarcs.family import Biarc as Arcs
 from osculant.kernels.biarcs.family import family, member
 from osculant.kernels.conics.scan import workspace
 from osculant.kernels.curves.plane import IN_THE_PLANE, Frame, Source
@@ -45,13 +46,18 @@ class Row(NamedTuple):
 
 
 @kernel
-def record(fit: Any, row: np.ndarray[Any, Any], mu: float, start: Frame, end: Frame, source: Source) -> None:
-    """Write the shape of the member μ into a `Row`."""
-    arcs = member(family(start, end), mu)
+def write_shape(row: np.ndarray[Any, Any], mu: float, arcs: Arcs) -> None:
+    """Write the shape of a biarc into a `Row`."""
     row[SHAPE] = mu
-    row[SHAPE + 1], row[SHAPE + 2], row[SHAPE + 3], row[SHAPE + 4] = start.x, start.y, start.tx, start.ty
-    row[SHAPE + 5], row[SHAPE + 6], row[SHAPE + 7], row[SHAPE + 8] = end.x, end.y, arcs.x1, arcs.y1
+    row[SHAPE + 1], row[SHAPE + 2], row[SHAPE + 3], row[SHAPE + 4] = arcs.x0, arcs.y0, arcs.tx0, arcs.ty0
+    row[SHAPE + 5], row[SHAPE + 6], row[SHAPE + 7], row[SHAPE + 8] = arcs.x2, arcs.y2, arcs.x1, arcs.y1
     row[SHAPE + 9], row[SHAPE + 10] = arcs.bend0, arcs.bend1
+
+
+@kernel
+def record(fit: Any, row: np.ndarray[Any, Any], mu: float, start: Frame, end: Frame, source: Source) -> None:
+    """Write the shape of the member μ."""
+    write_shape(row, mu, member(family(start, end), mu))
 
 
 #: what fast steps have to come to: a correction that Newton's method squares, or the error of an area itself
@@ -61,6 +67,7 @@ ALIKE = {**IN_THE_PLANE, "workspace": workspace, "record": record}
 
 register(
     Biarc,
+    len(Row._fields),
     **ALIKE,
     rules=Rules(3.0, SETTLED),
     begin=exchange.first_peaks,
@@ -71,6 +78,7 @@ register(
 )
 register(
     EquisymmetricBiarc,
+    len(Row._fields),
     **ALIKE,
     rules=Rules(4.0, EXACT),
     begin=area_exchange.first_places,

@@ -187,12 +187,13 @@ def content(
     length = half * (speed0 + speed1)
     change = abs(bend1 - bend0) if fit.order == 3.0 else 0.5 * (bend0 + bend1) * abs(twist1 - twist0)
     if length > 0.0 and math.isfinite(change):
-        return (change / (NODE * length)) ** (1.0 / fit.order) * length
+        return float((change / (NODE * length)) ** (1.0 / fit.order) * length)
     return 0.0
 
 
 register(
     Bihelix,
+    COLUMNS,
     **IN_SPACE,
     rules=rules,
     workspace=workspace,

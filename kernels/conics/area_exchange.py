@@ -117,7 +117,7 @@ def through_middle(lanes: Lanes, count: int) -> float:
 def other_level(
     pen: Pencil, level: int, series: Lane, area: float, zeros: int, calm: float
 ) -> tuple[bool, int]:
-    """(settled, the level to go on with): whether the area's relative error is small, and more or fewer nodes."""
+    """(settled, next level): whether the area's relative error is small, and more or fewer nodes."""
     if not relative_tail(pen, COUNTS[level], series, area, zeros) <= calm:
         return False, min(level + 1, len(NODES) - 1)
     if level > 0 and relative_tail(pen, COUNTS[level - 1], series, area, zeros) <= SPARE * calm:
@@ -127,7 +127,7 @@ def other_level(
 
 @kernel
 def area_of(pen: Pencil, q: float, level: int, calm: float, lanes: Lanes) -> tuple[float, float, bool, int]:
-    """(area, Q, settled, next level) of the member Q, whose strip is in ``lanes``; the area NaN if improper."""
+    """(area, Q, settled, next level) of the member Q, whose strip is in ``lanes``; NaN if improper."""
     if not (q > 0.0 and weight(pen, q) > -1.0):
         return math.nan, math.nan, False, level
     series = lanes[SERIES]

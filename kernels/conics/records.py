@@ -79,6 +79,7 @@ BY_AREA = {**ALIKE, "begin": area_exchange.first_level, "confirm": area_scan.con
 
 register(
     Parabola,
+    len(Row._fields),
     **BY_DISTANCE,
     rules=Rules(4.0, SETTLED),
     begin=exchange.one_peak,
@@ -88,6 +89,7 @@ register(
 )
 register(
     Conic,
+    len(Row._fields),
     **BY_DISTANCE,
     rules=Rules(5.0, SETTLED),
     begin=exchange.two_peaks,
@@ -97,6 +99,7 @@ register(
 )
 register(
     ParabolaArea,
+    len(Row._fields),
     **BY_AREA,
     rules=Rules(5.0, EXACT),
     step=area_exchange.parabola_area,
@@ -105,6 +108,7 @@ register(
 )
 register(
     EquisymmetricConic,
+    len(Row._fields),
     **BY_AREA,
     rules=Rules(6.0, EXACT),
     step=area_exchange.equal_area,
@@ -113,6 +117,7 @@ register(
 )
 register(
     LeastAreaConic,
+    len(Row._fields),
     **BY_AREA,
     rules=Rules(6.0, EXACT),
     step=area_exchange.stationary_area,

@@ -34,6 +34,6 @@ call_jet = cast(Callable[[int, float, np.ndarray[Any, Any]], None], _call_addres
 
 @kernel
 def sample_many(address: int, times: np.ndarray[Any, Any], out: np.ndarray[Any, Any]) -> None:
-    """Jets at all ``times`` (m,) into the rows of ``out`` (m, doubles of a jet), in the user's coordinates."""
+    """Jets at all ``times`` (m,) into rows of ``out`` (m, doubles of a jet), in the user's coordinates."""
     for i in range(times.shape[0]):
         call_jet(address, times[i], out[i])

@@ -38,7 +38,7 @@ class Place(NamedTuple):
 
 
 class Source(NamedTuple):
-    """What the curve is sampled by: the compiled jet's address, the place, and `JET_SIZE` doubles of scratch."""
+    """What samples the curve: the compiled jet's address, the place, and room for one jet."""
 
     address: int
     place: Place

@@ -38,7 +38,7 @@ class Place(NamedTuple):
 
 
 class Source(NamedTuple):
-    """What the curve is sampled by: the compiled jet's address, the place, and `JET_SIZE` doubles of scratch."""
+    """What samples the curve: the compiled jet's address, the place, and room for one jet."""
 
     address: int
     place: Place
@@ -86,7 +86,7 @@ def sample(source: Source, t: float) -> Sample:
 
 @kernel
 def frenet_at(address: int, scale: float, jet: np.ndarray[Any, Any], t: float) -> tuple[float, ...]:
-    """Speed, κ, κ′ (by arc length), τ, T and N at t of the curve times ``scale``; leaves its jet in ``jet``."""
+    """Speed, κ, κ′ (by arc length), τ, T and N of the curve times ``scale``; leaves its jet in ``jet``."""
     call_jet(address, t, jet)
     k = scale
     return frenet(

@@ -3,35 +3,51 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from osculant.kernels import primitives as codes
 from osculant.pieces.conics import Kind, Piece, classify
-from osculant.primitives.primitive import Floats, Itself, Primitive, user_point
+from osculant.primitives.primitive import Floats, Itself, Method, Primitive, user_point
 
 if TYPE_CHECKING:
+    from osculant.kernels.conics.records import Row
     from osculant.kernels.curves.plane import Place
 
 
-def conic_piece(row: Floats, place: Place, error: float) -> Piece:
-    """A row of the kernel's table (`kernels.search.record`) as a conic arc."""
-    weight = float(row[11])
-    return _arc(row, place, error, classify(weight), weight)
+def conic_piece(values: Floats, place: Place, error: float) -> Piece:
+    """A row of the kernels' table (`kernels.conics.records.Row`) as a conic arc."""
+    row = _row(values)
+    return _arc(row, place, error, classify(row.weight), row.weight)
 
 
-def parabola_piece(row: Floats, place: Place, error: float) -> Piece:
-    """A row of the kernel's table as an arc of a parabola."""
-    return _arc(row, place, error, "parabola", 1.0)
+def parabola_piece(values: Floats, place: Place, error: float) -> Piece:
+    """A row of the kernels' table as an arc of a parabola."""
+    return _arc(_row(values), place, error, "parabola", 1.0)
 
 
-def _arc(row: Floats, place: Place, error: float, kind: Kind, weight: float) -> Piece:
-    a, b, q, _, _, x0, y0, tx, ty, x2, y2, _, reach, _, _ = row.tolist()
-    start, end = user_point(place, x0, y0), user_point(place, x2, y2)
-    if q == 0:
-        return Piece.segment((a, b), start, end, error)
-    reach /= place[2]
-    middle = (weight * start[0] + reach * tx, weight * start[1] + reach * ty * place[3])
-    return Piece(kind, (a, b), start, end, middle, weight, error)
+def _row(values: Floats) -> Row:
+    from osculant.kernels.conics.records import Row
+
+    return Row(*values.tolist())
+
+
+def _arc(row: Row, place: Place, error: float, kind: Kind, weight: float) -> Piece:
+    start, end = user_point(place, row.x0, row.y0), user_point(place, row.x2, row.y2)
+    if row.q == 0:
+        return Piece.segment((row.a, row.b), start, end, error)
+    reach = row.reach / place.scale
+    middle = (weight * start[0] + reach * row.tx0, weight * start[1] + reach * row.ty0 * place.side)
+    return Piece(kind, (row.a, row.b), start, end, middle, weight, error)
+
+
+def record(name: str) -> Method:
+    """What loads the record of that name from `kernels.conics.records`."""
+
+    def load(order: int) -> Any:
+        from osculant.kernels.conics import records
+
+        return getattr(records, name)()
+
+    return load
 
 
 PARABOLA = Primitive(
@@ -39,8 +55,8 @@ PARABOLA = Primitive(
     plural="parabolas",
     dimension=2,
     methods={
-        "hausdorff": {"bitangent": lambda: codes.PARABOLA},
-        "area": {"bitangent": lambda: codes.AREA_PARABOLA},
+        "hausdorff": {"bitangent": record("Parabola")},
+        "area": {"bitangent": record("ParabolaArea")},
     },
     theory=("parabolic",),
     itself=Itself("conic", ("parabolic",), lambda exact: exact.parabola, turning=math.pi),
@@ -54,10 +70,10 @@ CONIC = Primitive(
     plural="conics",
     dimension=2,
     methods={
-        "hausdorff": {"equioscillating": lambda: codes.CONIC},
+        "hausdorff": {"equioscillating": record("Conic")},
         "area": {
-            "equisymmetric": lambda: codes.EQUISYMMETRIC,
-            "minimal-area": lambda: codes.LEAST_AREA,
+            "equisymmetric": record("EquisymmetricConic"),
+            "minimal-area": record("LeastAreaConic"),
         },
     },
     theory=("sextactic",),

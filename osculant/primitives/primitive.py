@@ -22,6 +22,10 @@ Floats: TypeAlias = np.ndarray[Any, Any]
 Point: TypeAlias = Sequence[float]
 
 
+#: the order of a short arc's error → the record of a fit in the kernels (`osculant.kernels.operations`)
+Method: TypeAlias = Callable[[int], Any]
+
+
 @dataclass(frozen=True)
 class Itself:
     """When a curve is of arcs of a primitive: then its pieces are parts of it.
@@ -48,8 +52,8 @@ class Primitive:
         name: as `osculant.approximate` takes it, and `osculant.cas.laws.table`.
         plural: as sentences say it.
         dimension: of the curves, 2 or 3.
-        methods: by metric and rule, the default first, what loads the method's number in the kernels; how a
-            piece is chosen from those tangent to the curve at both ends.
+        methods: by metric and rule, the default first, how a piece is chosen from those tangent to the curve
+            at both ends: what loads the kernels and makes their record.
         splits: the special points where no piece can pass, besides cusps; by form of the curve's zeros.
         theory: those where only theory wants a knot, as errors are not monotone across.
         itself: of curves that are arcs of the primitive; None if only straight lines are.
@@ -63,11 +67,11 @@ class Primitive:
     name: str
     plural: str
     dimension: int
-    methods: Mapping[str, Mapping[str, Callable[[], int]]]
+    methods: Mapping[str, Mapping[str, Method]]
     theory: tuple[str, ...]
     itself: Itself | None
     minimal: Literal["by theory", "unknown"]
-    piece: Callable[[Floats, Place, float], Any]
+    piece: Callable[[Floats, Any, float], Any]
     segment: Callable[[tuple[float, float], Any, Any], Any]
     splits: tuple[str, ...] = ("inflection",)
     monotone: bool = True
@@ -92,10 +96,9 @@ class Fit:
     metric: str
     rule: str
 
-    @property
-    def code(self) -> int:
-        """The number of the method in the kernels, which are loaded only now."""
-        return self.primitive.methods[self.metric][self.rule]()
+    def record(self, order: int) -> Any:
+        """The record of the method in the kernels, which are loaded only now, for errors of that order."""
+        return self.primitive.methods[self.metric][self.rule](order)
 
     def law(self, kind: str = "generic") -> Law:
         """How the error of one short arc depends on its length, on a stretch of that kind."""
@@ -116,8 +119,9 @@ class Fit:
 def user_point(place: Place, x: float, y: float) -> tuple[float, float]:
     """A point of the plane in the user's coordinates, from the kernel's, by the place of its curve.
 
-    >>> user_point((1.0, 2.0, 0.5, -1.0, 0.0), 0.5, 0.5)
+    >>> from osculant.kernels.curves.plane import Place
+    >>> user_point(Place(1.0, 2.0, 0.5, -1.0, 0.0), 0.5, 0.5)
     (2.0, 1.0)
     """
-    back = 1.0 / place[2]
-    return x * back + place[0], y * back * place[3] + place[1]
+    back = 1.0 / place.scale
+    return x * back + place.x, y * back * place.side + place.y

@@ -5,13 +5,13 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
+from osculant.kernels.bihelix_given import contents, fit_arcs
 
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry import bihelix_rules as reference
 from osculant.codegen.jets import compile_jet
 from osculant.kernels import bihelix_spline
 from osculant.kernels.bihelices.family import EQUIOSCILLATING, THESIS
-from osculant.kernels.bihelix_given import contents, fit_arcs
 
 CONICAL, MOMENT = "t*cos(t), t*sin(t), t", "t, t^2, t^3"
 PLACE = (0.0, 0.0, 0.0, 1.0, 4 * math.ulp(0.5))

@@ -4,14 +4,6 @@ import math
 
 import numpy as np
 import pytest
-
-from osculant.cas.formulas.parser import parse_tuple
-from osculant.codegen.jets import compile_jet
-from osculant.kernels import counting, given_knots
-from osculant.kernels import search as greedy
-from osculant.kernels.conics import scan
-from osculant.kernels.conics.minimax import minimax
-from osculant.kernels.curves.plane import JET_SIZE
 from osculant.kernels.primitives import (
     AREA_PARABOLA,
     BIARC,
@@ -21,6 +13,14 @@ from osculant.kernels.primitives import (
     LEAST_AREA,
     PARABOLA,
 )
+
+from osculant.cas.formulas.parser import parse_tuple
+from osculant.codegen.jets import compile_jet
+from osculant.kernels import counting, given_knots
+from osculant.kernels import search as greedy
+from osculant.kernels.conics import scan
+from osculant.kernels.conics.minimax import minimax
+from osculant.kernels.curves.plane import JET_SIZE
 
 NOISE = 4 * math.ulp(1.0)
 PLACE = (0.0, 0.0, 0.125, 1.0, NOISE)

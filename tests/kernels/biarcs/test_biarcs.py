@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from osculant.kernels.primitives import BIARC
 
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry import biarcs as reference
@@ -18,7 +19,6 @@ from osculant.kernels.biarcs import family as biarc
 from osculant.kernels.biarcs import scan as biarc_scan
 from osculant.kernels.conics import scan
 from osculant.kernels.curves.plane import JET_SIZE, sample
-from osculant.kernels.primitives import BIARC
 
 NOISE = 4 * math.ulp(1.0)
 SPIRAL = compile_jet(parse_tuple("t*cos(t), t*sin(t)"), 2)

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mp
+from osculant.kernels.primitives import AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA
 
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry import moons
@@ -17,7 +18,6 @@ from osculant.kernels.conics import area_exchange, area_scan, scan, strip_series
 from osculant.kernels.conics import pencil as bitangent
 from osculant.kernels.conics.minimax import minimax
 from osculant.kernels.curves.plane import JET_SIZE, sample
-from osculant.kernels.primitives import AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA
 
 NOISE = 4 * math.ulp(1.0)
 CODES = (AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA)
