@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from osculant.curves.plane import PlaneCurve
     from osculant.curves.space import SpaceCurve
     from osculant.germs.map_germ import MapGerm, germ
-    from osculant.spline import Piece, Spline
+    from osculant.pieces.conics import Piece
+    from osculant.spline import Spline
     from osculant.thesis.verification import Verification, verify
 
 __all__ = [
@@ -54,7 +55,7 @@ _HOME = {
     "SpaceCurve": "osculant.curves.space",
     "Complexity": "osculant.approximation.prediction",
     "Spline": "osculant.spline",
-    "Piece": "osculant.spline",
+    "Piece": "osculant.pieces.conics",
     "verify": "osculant.thesis.verification",
     "germ": "osculant.germs.map_germ",
     "MapGerm": "osculant.germs.map_germ",

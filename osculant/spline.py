@@ -2,32 +2,27 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
-import numpy as np
-
-from osculant import tolerances
-from osculant.cas.errors import DomainError, OsculantError, UndecidedError
+from osculant.cas.errors import DomainError, UndecidedError
+from osculant.certificates.splines import Certificate, certify
+from osculant.files.facts import Facts, usual_budget
 from osculant.files.figures import DRAWN_POINTS, draw
-from osculant.files.writing import GCODE_SUFFIXES, SUFFIXES, listed, write_whole
+from osculant.files.registry import writer_of
+from osculant.files.writing import write_whole
 from osculant.pieces.chain import Chain
-from osculant.pieces.conics import Piece
+from osculant.tolerances import checked_budget
 
 if TYPE_CHECKING:
     import os
 
     from numpy.typing import ArrayLike
 
-    from osculant.certificates.splines import Certificate
     from osculant.pieces.piece import Box, Floats, PieceLike
-
-__all__ = ["Piece", "Prediction", "Spline"]
 
 
 class CurveText(Protocol):
@@ -85,6 +80,7 @@ class Spline:
         certificate: what `certify` proved; None until it is called, which alone sets it.
 
     >>> from types import SimpleNamespace
+    >>> from osculant.pieces.conics import Piece
     >>> pieces = (
     ...     Piece("parabola", (0.0, 1.0), (0.0, 0.0), (1.0, 1.0), (0.5, 0.0), 1.0, 1e-3),
     ...     Piece.segment((1.0, 2.0), (1.0, 1.0), (2.0, 3.0)),
@@ -230,25 +226,13 @@ class Spline:
         (True, 'certified', True)
         """
         if self.certificate is None:
-            from osculant.certificates.splines import certify
-            from osculant.curves.plane import PlaneCurve
-
             if self.metric != "hausdorff":
                 raise DomainError(
                     f"Errors in the metric {self.metric!r} cannot be certified: choose 'hausdorff'."
                 )
-            if self.chain.dimension == 3:
-                raise DomainError(
-                    f"The spline of {self.curve.text} is in space, and only errors in the plane can be "
-                    "certified: leave out the third coordinate."
-                )
-            if not isinstance(self.curve, PlaneCurve):
-                raise DomainError(
-                    f"Of {self.curve.text} only the text is known: certify what approximate returns."
-                )
             proof = certify(self.curve, self.pieces, self.tolerance, progress)
-            object.__setattr__(self, "certificate", proof)
-        assert self.certificate is not None
+            object.__setattr__(self, "certificate", proof)  # frozen to all others
+            return proof
         return self.certificate
 
     @cached_property
@@ -314,15 +298,24 @@ class Spline:
             "certificate": None if self.certificate is None else self.certificate.to_json(),
         }
 
-    @property
-    def reserve(self) -> float:
-        """How far what is written may be from the pieces: what the tolerance leaves, if it is little."""
-        rounding = math.ulp(self.chain.largest)
-        length = 1.0
-        if self.metric == "area":  # of a strip along both curves
-            length = 2 * float(np.linalg.norm(np.diff(self.sample(DRAWN_POINTS), axis=0), axis=1).sum())
-        left = max(0.0, self.tolerance - self.error)
-        return min(tolerances.reserve(self.tolerance, rounding * length), left) / length
+    def facts(self, command: str | None = None) -> Facts:
+        """What its files tell about it.
+
+        Args:
+            command: the command line that made it, to be recorded.
+        """
+        return Facts(
+            curve=self.curve.text,
+            primitive=self.primitive,
+            pieces=len(self),
+            tolerance=self.tolerance,
+            metric=self.metric,
+            error=self.error,
+            error_kind=self.error_kind,
+            closed=self.closed,
+            data=self.to_json,
+            command=command,
+        )
 
     def write(
         self,
@@ -336,46 +329,25 @@ class Spline:
         """Write the spline to a file, whole or not at all; its suffix says how.
 
         Args:
-            path: ".svg" writes a picture (`files.svg`) of a spline in the plane, ".json" what `to_json`
-                returns; of biarcs and bihelices also G-code (".nc", ".gcode" or ".ngc",
-                `osculant.files.gcode`) and ".dxf" (`osculant.files.dxf`).
-            reserve: how far what is written may be from the pieces, chords for helices aside; by default as
-                `osculant.files.svg` and `osculant.files.gcode` say. JSON and DXF hold every number exactly.
-            decimals: of G-code.
+            path: the suffix is one of `osculant.files.registry`, of a format for splines of its dimension.
+            reserve: how far what is written may be from the pieces, chords for helices aside; by default
+                what the tolerance leaves. Formats that hold every number exactly have no use for it.
+            decimals: of G-code. Formats for which this, or another option, means nothing pass it over.
             units: of G-code and DXF; by default none are written.
             command: the command line that made the spline, recorded in the file.
 
         Raises:
             OsculantError: an unknown suffix, or a file that cannot be written.
+            DomainError: pieces that the format cannot hold.
             ToleranceError: a reserve too small for the digits, or decimals too few for the reserve.
         """
-        suffix = Path(path).suffix.lower()
-        flat = self.chain.dimension == 2
-        if suffix == ".svg" and flat:
-            from osculant.files.svg import svg
-
-            write_whole(path, svg(self, reserve=reserve, command=command))
-        elif suffix in GCODE_SUFFIXES:
-            from osculant.files.gcode import gcode
-
-            write_whole(path, gcode(self, decimals=decimals, reserve=reserve, units=units, command=command))
-        elif suffix == ".dxf":
-            from osculant.files.dxf import dxf
-
-            write_whole(path, dxf(self, units=units, command=command))
-        elif suffix == ".json":
-            data = self.to_json() | ({} if flat or command is None else {"command": command})
-            write_whole(path, json.dumps(data, indent=1, allow_nan=False) + "\n")
-        elif flat:
-            raise OsculantError(
-                f"Cannot write {Path(path)}: the known suffixes are {listed(SUFFIXES)}; "
-                "plot() makes pictures of other kinds."
-            )
-        else:
-            raise OsculantError(
-                f"Cannot write {Path(path)}: a spline in space is written as "
-                f"{listed([s for s in SUFFIXES if s != '.svg'])}; plot() makes pictures of other kinds."
-            )
+        writer, facts = writer_of(path, self.chain.dimension), self.facts(command)
+        budget = usual_budget(self.chain, facts) if reserve is None else reserve
+        if writer.rounds:
+            checked_budget(budget, self.chain.largest, asked=reserve is not None)
+        given = {"decimals": decimals, "units": units}
+        options = {name: value for name, value in given.items() if value is not None and writer.takes(name)}
+        write_whole(path, writer.text(self.chain, facts, budget, **options))
 
     def plot(self, path: str | os.PathLike[str] | None = None, axes: Any = None) -> Any:
         """Draw the pieces in alternating colours with the knots marked, by means of matplotlib.

@@ -48,52 +48,43 @@ def check_floor(tolerance: float, rounding: float, largest: float) -> None:
         )
 
 
-def reserve(tolerance: float, rounding: float) -> float:
+def writing_share(tolerance: float, rounding: float) -> float:
     """The share of a tolerance kept for writing the pieces: a quarter of the window, δε/4.
 
     That is 2.5e-7 of the tolerance, or 8 rounding units if they are more.
 
-    >>> reserve(1e-6, math.ulp(6.0)) == 2.5e-13
+    >>> writing_share(1e-6, math.ulp(6.0)) == 2.5e-13
     True
     """
     return max(WINDOW * tolerance, WINDOW_ULPS * rounding) / 4
 
 
-def writing_reserve(tolerance: float, largest: float) -> float:
-    """The `reserve` of a distance between curves whose largest absolute coordinate is given.
-
-    >>> writing_reserve(1e-6, 6.0) == 2.5e-13
-    True
-    """
-    return reserve(tolerance, math.ulp(largest))
-
-
-def check_reserve(reserve: float, largest: float, asked: bool = True) -> float:
-    """The reserve; raises ToleranceError if coordinates cannot be rounded to within it.
+def checked_budget(budget: float, largest: float, asked: bool = True) -> float:
+    """A writer's budget; raises ToleranceError if coordinates cannot be rounded to within it.
 
     Args:
-        reserve: how far what is written may be from the pieces.
+        budget: how far what is written may be from the pieces.
         largest: their largest absolute coordinate.
         asked: whether it was asked for; else it is what the tolerance leaves.
 
-    >>> check_reserve(1e-9, 6.0)
+    >>> checked_budget(1e-9, 6.0)
     1e-09
-    >>> check_reserve(1e-17, 6.0, asked=False)
+    >>> checked_budget(1e-17, 6.0, asked=False)
     Traceback (most recent call last):
     ...
     osculant.cas.errors.ToleranceError: The error leaves 1e-17 of the tolerance for rounding coordinates of 6,
     which takes 3.55e-15: write with a larger reserve, such as 3.6e-12, or approximate with a larger
     tolerance.
     """
-    least = writing_reserve(0.0, largest) / 2
-    if least <= reserve < math.inf:
-        return reserve
+    least = writing_share(0.0, math.ulp(largest)) / 2
+    if least <= budget < math.inf:
+        return budget
     if asked:
         raise ToleranceError(
-            f"Coordinates of {largest:.3g} cannot be written to within {reserve!r}; allow at least {least!r}."
+            f"Coordinates of {largest:.3g} cannot be written to within {budget!r}; allow at least {least!r}."
         )
     raise ToleranceError(
-        f"The error leaves {reserve:.3g} of the tolerance for rounding coordinates of {largest:.3g}, which "
+        f"The error leaves {budget:.3g} of the tolerance for rounding coordinates of {largest:.3g}, which "
         f"takes {least:.3g}: write with a larger reserve, such as {1e3 * least:.1e}, or approximate with a "
         "larger tolerance."
     )
@@ -102,10 +93,10 @@ def check_reserve(reserve: float, largest: float, asked: bool = True) -> float:
 def window(tolerance: float, rounding: float) -> tuple[float, float]:
     """The errors that the search accepts, (low, high), within [ε(1−δ), ε].
 
-    What is left above is the `reserve`; what is left below, half of it, for measuring again.
+    What is left above is the `writing_share`; what is left below, half of it, for measuring again.
 
     >>> window(1.0, math.ulp(1.0))
     (0.999999125, 0.99999975)
     """
-    kept = reserve(tolerance, rounding)
+    kept = writing_share(tolerance, rounding)
     return tolerance - 3.5 * kept, tolerance - kept

@@ -15,7 +15,7 @@ from osculant.approximation.runs import whole_error
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.primitives.table import candidates, choose
 from osculant.spline import Spline
-from osculant.tolerances import FLOOR_ULPS, check_floor, reserve
+from osculant.tolerances import FLOOR_ULPS, check_floor, writing_share
 
 if TYPE_CHECKING:
     from osculant.approximation.fitting import Fitted
@@ -60,7 +60,7 @@ def approximate_curve(
     if count is not None:
         found = fitting.for_number(count)
         error = whole_error(found.runs, fit.degree)
-        allowed = error + reserve(error, rounding)
+        allowed = error + writing_share(error, rounding)
     elif metric == "area":
         found = fitting.for_area(allowed, progress)
     else:

@@ -14,7 +14,7 @@ from osculant.approximation.equal_errors import equalise
 from osculant.approximation.start_points import Start, best_start, start_within
 from osculant.approximation.unsplit import UnsplitArcs
 from osculant.kernels import search
-from osculant.tolerances import reserve, window
+from osculant.tolerances import window, writing_share
 
 if TYPE_CHECKING:
     from osculant.approximation.coordinates import Coordinates
@@ -69,7 +69,7 @@ class Circuit:
     @property
     def resolution(self) -> float:
         """What two errors must differ by to be told apart."""
-        return 16 * reserve(0.0, self._rounding)
+        return 16 * writing_share(0.0, self._rounding)
 
     def best_start(self, count: int) -> Start:
         """The start from which so many pieces have the least greatest error: `best_start` there."""
@@ -131,7 +131,7 @@ class Circuit:
 
     def reach(self, start: float, level: float, count: int) -> float:
         """At least where the longest pieces from a start with errors of at most the level end."""
-        above = level + 4 * reserve(level, self._rounding)  # the window of that lies above the level
+        above = level + 4 * writing_share(level, self._rounding)  # the window of that lies above the level
         end = self._end(start, *window(above, self._rounding), count)
         return math.inf if end is None else end
 

@@ -15,7 +15,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError
-from osculant.pieces.conics import conic_arcs
+from osculant.pieces.chain import conic_arcs
 
 if TYPE_CHECKING:
     from osculant.cas.geometry.arc_distance import Coefficients
@@ -105,7 +105,7 @@ class Certificate:
 
 
 def certify(
-    curve: PlaneCurve,
+    curve: object,
     pieces: Sequence[PieceLike],
     tolerance: float,
     progress: Callable[[float], None] | None = None,
@@ -113,14 +113,15 @@ def certify(
     """Enclose the Hausdorff distance of each piece and its arc of the curve.
 
     Args:
-        curve: the curve; ends of its interval that the first or last knot is the double of are taken exactly.
+        curve: a `PlaneCurve`; ends of its interval that the first or last knot is the double of are taken
+            exactly.
         pieces: in order, each beginning where the one before ends.
         tolerance: what the error should be within.
         progress: called with the part of the pieces done, 0…1.
 
     Returns the certificate; a piece where no bound was found has the reason.
 
-    Raises DomainError for pieces that leave a gap.
+    Raises DomainError for pieces that leave a gap or are no conic arcs in the plane, and without a formula.
 
     Guarantee: both bounds are proved in ball arithmetic, whatever the floats that chose the maps. Where the
     curve's points have one nearest point each on the piece they are usually within 10⁻⁶ of each other; where
@@ -133,7 +134,13 @@ def certify(
     >>> round(proof.lower * 32**0.5, 4), round(proof.upper * 32**0.5, 4), proof.within
     (1.0, 1.0, True)
     """
+    from osculant.curves.plane import PlaneCurve
+
     began = time.perf_counter()
+    conic_arcs(pieces)
+    if not isinstance(curve, PlaneCurve):
+        text = getattr(curve, "text", "this curve")
+        raise DomainError(f"Of {text} only the text is known: certify what approximate returns.")
     for before, after in pairwise(pieces):
         if before.interval[1] != after.interval[0]:
             raise DomainError(

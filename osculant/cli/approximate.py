@@ -22,6 +22,16 @@ from osculant.cli.options import (
 )
 from osculant.cli.output import Waiting, print_json
 from osculant.cli.splines import print_spline
+from osculant.files.registry import WRITERS, writers
+from osculant.files.writing import listed
+
+FORMATS = [f"{writer.name} ({listed(writer.suffixes, 'or')})" for writer in WRITERS]
+
+
+def _takers(option: str) -> str:
+    """The formats that take an option."""
+    return listed([writer.name for writer in writers(option=option)])
+
 
 Tolerance = Annotated[
     str | None,
@@ -67,20 +77,22 @@ Certify = Annotated[
 ]
 Write = Annotated[
     list[str] | None,
-    typer.Option("--write", metavar="FILE", help="Write .svg, .json, G-code (.nc) or .dxf; repeatable."),
+    typer.Option("--write", metavar="FILE", help=f"Write {listed(FORMATS, 'or')}; repeatable."),
 ]
 Reserve = Annotated[
     str | None,
     typer.Option(
         "--reserve",
         metavar="R",
-        help="How far .svg and G-code may be from the pieces; by default what the tolerance leaves.",
+        help=f"How far {_takers('reserve')} may be from the pieces; by default what the tolerance leaves.",
     ),
 ]
-Decimals = Annotated[str | None, typer.Option("--decimals", metavar="N", help="Decimals of G-code.")]
+Decimals = Annotated[
+    str | None, typer.Option("--decimals", metavar="N", help=f"Decimals of {_takers('decimals')}.")
+]
 Units = Annotated[
     str | None,
-    typer.Option("--units", metavar="mm|inch", help="Units written to G-code and .dxf; by default none."),
+    typer.Option("--units", metavar="mm|inch", help=f"Units written to {_takers('units')}; by default none."),
 ]
 Plot = Annotated[
     str | None, typer.Option("--plot", metavar="FILE", help="Draw with matplotlib, to .png, .pdf, ...")

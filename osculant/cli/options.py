@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Sequence
-from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 import typer
 
 from osculant.cas.errors import OsculantError
 from osculant.cli.grammar import UsageError
 from osculant.cli.output import printable
-from osculant.files.writing import GCODE_SUFFIXES, OPTIONS, SUFFIXES, listed
+from osculant.files.registry import Writer, suffixes, writer_of
+from osculant.files.writing import listed, not_installed
+from osculant.pieces.kinds import KINDS, ConicKind
+from osculant.primitives.arc_kinds import ARC_KINDS, may_become
 
 #: what the command line calls that which the library's sentences call otherwise
 NAMES = {
@@ -22,6 +24,7 @@ NAMES = {
     "high": "--to",
     "t": "--at",
     "split_at": "--split-at",
+    "plot()": "--plot",
     "osculant.cas.claims.all_claims()": "`osculant verify --list`",
 }
 #: units that can be written, and digits after the point that still mean something
@@ -90,30 +93,15 @@ def check_files(write: Sequence[str], plot: str | None, primitive: str | None = 
             no matplotlib or ezdxf.
     """
     for file in write:
-        if Path(file).suffix.lower() not in SUFFIXES:
-            raise OsculantError(
-                f"Cannot write {printable(file) or 'a file without a name'}: the known suffixes are "
-                f"{listed(SUFFIXES)}; --plot makes pictures of other kinds."
-            )
-        suffix = Path(file).suffix.lower()
-        if suffix in {*GCODE_SUFFIXES, ".dxf"} and primitive in {"conic", "parabola", "best"}:
-            kind = "may become conic arcs" if primitive == "best" else f"are to be {primitive} arcs"
-            raise OsculantError(
-                f"Cannot write {printable(file)}: it would hold lines and circular arcs only, and the pieces "
-                f"{kind}; choose --with biarc."
-            )
-        if suffix == ".dxf" and find_spec("ezdxf") is None:
-            raise OsculantError(
-                "DXF needs ezdxf, which is not installed; `pip install osculant[cad]` adds it."
-            )
+        writer = writer_of(printable(file))
+        _check_arcs(file, writer, primitive)
+        writer.check_installed()
         check_place(file)
     if plot is not None:
         try:
             from matplotlib.backend_bases import FigureCanvasBase
         except ImportError:
-            raise OsculantError(
-                "Drawing needs matplotlib, which is not installed; `pip install osculant[plot]` adds it."
-            ) from None
+            raise not_installed("Drawing", "matplotlib", "plot") from None
         kinds = sorted(FigureCanvasBase.get_supported_filetypes())
         if Path(plot).suffix[1:].lower() not in kinds:
             raise OsculantError(
@@ -121,6 +109,20 @@ def check_files(write: Sequence[str], plot: str | None, primitive: str | None = 
                 f".{', .'.join(kinds)}."
             )
         check_place(plot)
+
+
+def _check_arcs(file: str, writer: Writer, primitive: str | None) -> None:
+    """Refuse a format that cannot hold the pieces of a primitive."""
+    unfit = [name for name in may_become(primitive) if not writer.holds(ARC_KINDS[name])]
+    if unfit:
+        most_general = max(unfit, key=lambda name: len(ARC_KINDS[name]))
+        verb = "are to be" if most_general == primitive else "may become"
+        held = listed([KINDS[kind] for kind in KINDS if kind in get_args(ConicKind) and writer.holds([kind])])
+        able = [name for name in may_become("best") if writer.holds(ARC_KINDS[name])]
+        raise OsculantError(
+            f"Cannot write {printable(file)}: it would hold {held} only, and the pieces {verb} "
+            f"{most_general} arcs; choose --with {listed(able, 'or')}."
+        )
 
 
 def writing_options(write: Sequence[str], **texts: str | None) -> dict[str, dict[str, Any]]:
@@ -134,15 +136,13 @@ def writing_options(write: Sequence[str], **texts: str | None) -> dict[str, dict
         UsageError: a value that makes no sense, or an option that none of the files can follow.
 
     >>> writing_options(["a.svg", "b.nc"], reserve="1e-3", decimals="4")
-    {'a.svg': {'reserve': 0.001}, 'b.nc': {'decimals': 4, 'reserve': 0.001}}
+    {'a.svg': {'reserve': 0.001}, 'b.nc': {'reserve': 0.001, 'decimals': 4}}
     """
     values: dict[str, Any] = {name: text for name, text in texts.items() if text is not None}
     for name in values:
-        able = [suffix for suffix, names in OPTIONS.items() if name in names]
-        if not any(Path(file).suffix.lower() in able for file in write):
-            raise UsageError(
-                f"The option --{name} needs a file of the kind {listed(able, 'or')}: add --write."
-            )
+        if not any(writer_of(file).takes(name) for file in write):
+            able = listed(suffixes(option=name), "or")
+            raise UsageError(f"The option --{name} needs a file of the kind {able}: add --write.")
     if "reserve" in values:
         values["reserve"] = _positive(values["reserve"], "--reserve")
     if "decimals" in values:
@@ -154,8 +154,7 @@ def writing_options(write: Sequence[str], **texts: str | None) -> dict[str, dict
     if values.get("units", "mm") not in UNITS:
         raise UsageError(f"The units {values['units']!r} are unknown: choose {listed(UNITS, 'or')}.")
     return {
-        file: {name: values[name] for name in OPTIONS[Path(file).suffix.lower()] if name in values}
-        for file in write
+        file: {name: value for name, value in values.items() if writer_of(file).takes(name)} for file in write
     }
 
 

@@ -47,11 +47,7 @@ def verify(
     """
     wanted = joined([*(names or []), *(show or [])])
     if errata is not None:
-        if Path(errata).suffix.lower() != ".tex":
-            raise UsageError(
-                f"Cannot write {errata or 'a file without a name'}: the errata need a name in .tex."
-            )
-        check_place(errata)
+        _check_errata(errata)
 
     from osculant.cli.claims import print_claim, print_list, print_verification
     from osculant.thesis.verification import check, chosen
@@ -85,6 +81,13 @@ def verify(
     else:
         print_verification(done, errata)
     return FAILED if done.failed else 0
+
+
+def _check_errata(file: str) -> None:
+    """Refuse before the work what could not be written after it."""
+    if Path(file).suffix.lower() != ".tex":
+        raise UsageError(f"Cannot write {file or 'a file without a name'}: the errata need a name in .tex.")
+    check_place(file)
 
 
 def joined(names: Sequence[str]) -> list[str]:

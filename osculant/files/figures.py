@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import OsculantError
-from osculant.files.writing import write_whole
+from osculant.files.writing import not_installed, write_whole
 
 if TYPE_CHECKING:
     import os
@@ -36,9 +36,7 @@ def draw(points: Floats, title: str, path: str | os.PathLike[str] | None, axes: 
     try:
         from matplotlib.figure import Figure
     except ImportError as error:
-        raise OsculantError(
-            "Drawing needs matplotlib, which is not installed; `pip install osculant[plot]` adds it."
-        ) from error
+        raise not_installed("Drawing", "matplotlib", "plot") from error
     if axes is None:
         flat = points.shape[1] == 2
         frame = {"layout": "constrained"} if flat else {}

@@ -147,14 +147,3 @@ def small_mismatch(a: int, b: int) -> bool:
     low, high = sorted((a, b))
     excess = 4 * (high - low) - 1  # √high − √low < 1/2 if high − low − 1/4 < √low
     return excess < 0 or excess * excess < 16 * low
-
-
-def chords_needed(chord_square: float, tolerance: float) -> int:
-    """Return how many equal chords keep a helical arc with this κL² within a tolerance.
-
-    On a chord of arc length h the arc is at most κh²/8 away.
-
-    >>> chords_needed(1.0, 1e-3)
-    12
-    """
-    return max(1, math.ceil(math.sqrt(chord_square / (8 * tolerance))))

@@ -1,6 +1,6 @@
 """Splines as SVG: `Q` for parabolas, `A` for ellipses and circles, `C` for hyperbolas, `L` for segments.
 
-What is written, read with exact arithmetic, stays within a `reserve` of the spline's exact pieces. Its parts:
+What is written, read with exact arithmetic, stays within a budget of the spline's exact pieces. Its parts:
 
 * conversion: half of it, where a conic becomes cubics (`osculant.pieces.beziers` has the bound), for an `A`
   none;
@@ -25,18 +25,19 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
+from osculant.files.facts import header, header_lines
 from osculant.pieces.beziers import Ellipse, cubics, ellipse, parabola_bound
-from osculant.pieces.conics import conic_arcs
+from osculant.pieces.chain import conic_arcs
 from osculant.pieces.piece import largest_of
-from osculant.tolerances import check_reserve
-from osculant.version import __version__
+from osculant.tolerances import checked_budget
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from osculant.files.facts import Facts
+    from osculant.pieces.chain import Chain
     from osculant.pieces.conics import Piece, Point
-    from osculant.pieces.piece import PieceLike, Vector
-    from osculant.spline import Spline
+    from osculant.pieces.piece import Coordinates, PieceLike
 
 LARGEST_RADIUS = 1e4  # of a written ellipse, relative to the piece's size
 LARGEST_AMPLIFICATION = 1e3  # of the rounding of end points; every factor of ten costs all numbers a digit
@@ -66,43 +67,39 @@ class Command:
     amplification: float = 1.0
 
 
-def svg(
-    spline: Spline, *, reserve: float | None = None, knots: bool = True, command: str | None = None
-) -> str:
+def svg(chain: Chain, facts: Facts, budget: float, *, knots: bool = True) -> str:
     """Return a spline as the text of an SVG file.
 
     Args:
-        spline: the spline.
-        reserve: how far the written curve may be from the pieces; what the tolerance leaves if None.
+        chain: its pieces, in the plane.
+        facts: of the spline, recorded in the description.
+        budget: how far the written curve may be from the pieces.
         knots: whether to draw the knots, as a second path with id "knots".
-        command: the command line that made the spline, recorded in the description.
 
     Returns:
-        The file's text. Its description records version, primitive, tolerance and error too.
+        The file's text.
 
     Raises:
-        ToleranceError: a reserve below half of the 8 rounding units, or so little left of the tolerance.
+        ToleranceError: a budget below half of the 8 rounding units.
     """
-    (left, bottom), (right, top) = spline.bounding_box()
-    if reserve is None:
-        largest = max(map(abs, (left, bottom, right, top)))
-        reserve = check_reserve(spline.reserve, largest, asked=False)
-    path, decimals = path_data(spline.pieces, reserve)
-    dots = [spline.pieces[0].start, *(piece.end for piece in spline.pieces)]
-    if spline.closed and _pair(dots[0], decimals) == _pair(dots[-1], decimals):
+    (left, bottom), (right, top) = chain.bounding_box()
+    path, decimals = path_data(chain.pieces, budget)
+    dots = [chain.pieces[0].start, *(piece.end for piece in chain.pieces)]
+    if facts.closed and _pair(dots[0], decimals) == _pair(dots[-1], decimals):
         path += "\nZ"
     margin = MARGIN * max(right - left, top - bottom)
     width, height = right - left + 2 * margin, top - bottom + 2 * margin
     digits = 2 - math.floor(math.log10(margin))
     view = " ".join(number(value, digits) for value in (left - margin, -top - margin, width, height))
     pixel = max(width, height) / SIDE
+    description = "\n".join(header_lines(header(facts, budget)))
     stroke = 'stroke-linecap="round" stroke-linejoin="round"'
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view}" width="{math.ceil(width / pixel)}" '
         f'height="{math.ceil(height / pixel)}">',
-        f"<title>{_text(spline.curve.text)}</title>",
-        f"<desc>{_text(_description(spline, reserve, command))}</desc>",
+        f"<title>{_text(facts.curve)}</title>",
+        f"<desc>{_text(description)}</desc>",
         '<g transform="scale(1,-1)" fill="none">',
         f'<path id="spline" stroke="#1f4e79" stroke-width="{1.5 * pixel:.3g}" {stroke} d="{path}"/>',
     ]
@@ -114,15 +111,15 @@ def svg(
     return "\n".join([*lines, "</g>", "</svg>", ""])
 
 
-def path_data(pieces: Sequence[PieceLike], reserve: float) -> tuple[str, int]:
+def path_data(pieces: Sequence[PieceLike], budget: float) -> tuple[str, int]:
     r"""Return joined pieces as the data of one SVG path, and the number of decimals of its coordinates.
 
     Args:
         pieces: pieces each of which starts where the one before ends.
-        reserve: how far the path may be from them.
+        budget: how far the path may be from them.
 
     Raises:
-        ToleranceError: a reserve below half of the 8 rounding units of the largest coordinate.
+        ToleranceError: a budget below half of the 8 rounding units of the largest coordinate.
 
     >>> from osculant.pieces.conics import Piece
     >>> path_data([Piece("parabola", (0, 1), (0.0, 0.0), (2.0, 0.0), (1.0, 1.0), 1.0, 0.0)], 1e-3)[0]
@@ -130,11 +127,11 @@ def path_data(pieces: Sequence[PieceLike], reserve: float) -> tuple[str, int]:
     >>> path_data([Piece("ellipse", (0, 1), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), 0.0, 0.0)], 1e-3)[0]
     'M1 0\nA1 1 0 0 1 0 1\nA1 1 0 0 1 -1 0'
     """
-    check_reserve(reserve, largest_of(piece.bounding_box() for piece in pieces))
-    commands = [command for arc in conic_arcs(pieces) for command in _commands(arc, reserve)]
+    checked_budget(budget, largest_of(piece.bounding_box() for piece in pieces))
+    commands = [command for arc in conic_arcs(pieces) for command in _commands(arc, budget)]
     amplification = max(command.amplification for command in commands)
     # Rounding to d decimals moves a point by at most 10⁻ᵈ/√2.
-    decimals = math.ceil(-math.log10(math.sqrt(2) * reserve / (4 * amplification)))
+    decimals = math.ceil(-math.log10(math.sqrt(2) * budget / (4 * amplification)))
     start = f"M{_pair(pieces[0].start, decimals)}"
     return "\n".join([start, *(_write(command, decimals) for command in commands)]), decimals
 
@@ -149,18 +146,18 @@ def number(value: float, decimals: int) -> str:
     return repr(rounded).removesuffix(".0")
 
 
-def _commands(piece: Piece, reserve: float) -> list[Command]:
-    """Return the path commands of one piece, converted to within half the reserve."""
+def _commands(piece: Piece, budget: float) -> list[Command]:
+    """Return the path commands of one piece, converted to within half the budget."""
     if piece.kind == "segment":
         return [Command("L", (piece.end,))]
-    if parabola_bound(piece) <= reserve / 2:
+    if parabola_bound(piece) <= budget / 2:
         (x, y), (ax, ay), w = piece.start, piece.legs[0], piece.weight
         return [Command("Q", ((x + ax / w, y + ay / w), piece.end))]
-    arcs = _arcs(piece, reserve) if piece.weight < 1 else None
-    return arcs or [Command("C", cubic) for cubic in cubics(piece, reserve / 2)]
+    arcs = _arcs(piece, budget) if piece.weight < 1 else None
+    return arcs or [Command("C", cubic) for cubic in cubics(piece, budget / 2)]
 
 
-def _arcs(piece: Piece, reserve: float) -> list[Command] | None:
+def _arcs(piece: Piece, budget: float) -> list[Command] | None:
     """Return an elliptic piece as `A` commands, or None if their digits would be unstable."""
     size = math.hypot(*piece.legs[2]) + math.hypot(*piece.bulge) / (1 + piece.weight)
     for halvings in range(MOST_HALVINGS + 1):
@@ -173,14 +170,14 @@ def _arcs(piece: Piece, reserve: float) -> list[Command] | None:
         if not minor * LARGEST_AMPLIFICATION > major or not major < LARGEST_RADIUS * size:
             return None
         if conic.half_angle <= LARGEST_HALF_ANGLE:
-            arcs = _within(piece, conic, reserve)
+            arcs = _printed(piece, conic, budget)
             if arcs is not None:
                 return arcs
     return None
 
 
-def _within(piece: Piece, conic: Ellipse, reserve: float) -> list[Command] | None:
-    """Return the arcs of an ellipse as `A` commands, or None if their error may be beyond the reserve.
+def _printed(piece: Piece, conic: Ellipse, budget: float) -> list[Command] | None:
+    """Return the arcs of an ellipse as `A` commands, or None if their error may be beyond the budget.
 
     In the affine frame where the ellipse is the unit circle let the printed one be given by the form I + Δ,
     and let 2θ be the angle of one arc. Between fixed ends it is off by at most |Δ|(2 + 1/cos θ)/(2 cos θ) of
@@ -196,9 +193,9 @@ def _within(piece: Piece, conic: Ellipse, reserve: float) -> list[Command] | Non
     noise = gain * UNIT * (2 + 4 * skew)  # of radii and rotation as floats, and then of inner ends
     if len(conic.ends) > 1:
         noise += amplification * math.ulp(largest_of([piece.bounding_box()])) / math.sqrt(2)
-    if amplification > LARGEST_AMPLIFICATION or noise > reserve / 2:
+    if amplification > LARGEST_AMPLIFICATION or noise > budget / 2:
         return None
-    relative = min(1e-3, reserve / (16 * gain))
+    relative = min(1e-3, budget / (16 * gain))
     if relative > math.pi / 2 * skew:  # as good as a circle: any rotation will do
         rotation, turn = 0.0, 1.0
     else:
@@ -212,30 +209,17 @@ def _write(command: Command, decimals: int) -> str:
     points = " ".join(_pair(point, decimals) for point in command.points)
     if command.letter != "A":
         return command.letter + points
-    shape = " ".join(number(value, _decimals(error)) for value, error in command.arc)
-    return f"A{shape} 0 {int(command.sweep)} {points}"
+    axes = " ".join(number(value, _decimals(error)) for value, error in command.arc)
+    return f"A{axes} 0 {int(command.sweep)} {points}"
 
 
-def _pair(point: Vector, decimals: int) -> str:
+def _pair(point: Coordinates, decimals: int) -> str:
     return f"{number(point[0], decimals)} {number(point[1], decimals)}"
 
 
 def _decimals(error: float) -> int:
     """Return the least number of decimals with which rounding stays within the error."""
     return math.ceil(-math.log10(2 * error))
-
-
-def _description(spline: Spline, reserve: float, command: str | None) -> str:
-    """Return what made the file and how good it is, one fact a line."""
-    facts = [
-        f"osculant {__version__}",
-        *([] if command is None else [f"command: {command}"]),
-        f"curve: {spline.curve.text}",
-        f"primitive: {spline.primitive}, {len(spline.pieces)} pieces",
-        f"tolerance: {spline.tolerance!r} ({spline.metric})",
-        f"error: {spline.error!r} ({spline.error_kind}), of writing at most {reserve!r} more",
-    ]
-    return "\n".join(facts)
 
 
 def _text(text: str) -> str:

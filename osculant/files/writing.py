@@ -10,16 +10,6 @@ from pathlib import Path
 
 from osculant.cas.errors import OsculantError
 
-GCODE_SUFFIXES = (".nc", ".gcode", ".ngc")
-#: what `Spline.write` can be told about each kind of file, by suffix
-OPTIONS = {
-    ".svg": ("reserve",),
-    ".json": (),
-    **dict.fromkeys(GCODE_SUFFIXES, ("decimals", "reserve", "units")),
-    ".dxf": ("units",),
-}
-SUFFIXES = tuple(OPTIONS)
-
 
 def listed(words: Sequence[str], last: str = "and") -> str:
     """The words with commas and, before the last of several, an "and" or so.
@@ -28,6 +18,17 @@ def listed(words: Sequence[str], last: str = "and") -> str:
     ('.a, .b and .c', 'mm or inch', '.a')
     """
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
+def not_installed(what: str, package: str, extra: str) -> OsculantError:
+    """The error about a package that is missing, one of an extra of osculant.
+
+    >>> not_installed("Drawing", "matplotlib", "plot")
+    OsculantError('Drawing needs matplotlib, which is not installed; `pip install osculant[plot]` adds it.')
+    """
+    return OsculantError(
+        f"{what} needs {package}, which is not installed; `pip install osculant[{extra}]` adds it."
+    )
 
 
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:

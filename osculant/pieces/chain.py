@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from osculant.cas.errors import DomainError
+from osculant.pieces.conics import Piece
 from osculant.pieces.piece import around, largest_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from numpy.typing import ArrayLike
 
@@ -135,3 +136,24 @@ def _parted(before: Geometry, after: Geometry) -> tuple[float, float]:
     """The lengths of difference and sum of the tangents where arcs meet: 2 sin and 2 cos of half an angle."""
     a, b = before.tangent(1.0), after.tangent(0.0)
     return float(np.linalg.norm(a - b)), float(np.linalg.norm(a + b))
+
+
+def conic_arcs(pieces: Iterable[PieceLike]) -> list[Piece]:
+    """The arcs of pieces in the plane, in order.
+
+    Raises:
+        DomainError: a piece of other arcs.
+
+    >>> len(conic_arcs([Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]))
+    1
+    """
+    found = []
+    for piece in pieces:
+        for arc in piece.arcs:
+            if not isinstance(arc, Piece):
+                raise DomainError(
+                    f"The piece on {piece.interval} is of kind {piece.kind!r}, which is no "
+                    "arc of a conic in the plane: approximate a curve in the plane."
+                )
+            found.append(arc)
+    return found

@@ -19,24 +19,24 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
 from osculant.cas.errors import DomainError
+from osculant.pieces.kinds import ConicKind
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import ArrayLike
 
-    from osculant.pieces.piece import Floats, PieceLike
+    from osculant.pieces.piece import Floats
 
 Point = tuple[float, float]
-Kind = Literal["ellipse", "parabola", "hyperbola", "segment", "arc"]
 
 
-def classify(weight: float) -> Kind:
+def classify(weight: float) -> ConicKind:
     """Name the conic that has this weight.
 
     Args:
@@ -74,7 +74,7 @@ class Piece:
     (array([0., 1.]), array([-1.,  0.]), None)
     """
 
-    kind: Kind
+    kind: ConicKind
     interval: tuple[float, float]
     start: Point
     end: Point
@@ -83,8 +83,10 @@ class Piece:
     error: float
 
     def __post_init__(self) -> None:
-        if self.kind not in get_args(Kind):
-            raise DomainError(f"A piece is an {', '.join(get_args(Kind))}; {self.kind!r} is none of them.")
+        if self.kind not in get_args(ConicKind):
+            raise DomainError(
+                f"A piece is an {', '.join(get_args(ConicKind))}; {self.kind!r} is none of them."
+            )
         if not -1 < self.weight < math.inf:
             raise DomainError(
                 f"A conic arc is bounded only for a weight above -1 and finite; this one has {self.weight!r}."
@@ -164,6 +166,16 @@ class Piece:
             b.append(float(w * end - middle))
             c.append(float(end - start))
         return (a[0], a[1]), (b[0], b[1]), (c[0], c[1])
+
+    @property
+    def turning(self) -> float:
+        """The angle by which the tangent turns from start to end, of an arc or a segment; positive leftwards.
+
+        >>> Piece.arc((0.0, 3.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0)).turning == math.pi
+        True
+        """
+        (ax, ay), _, (cx, cy) = self.legs
+        return 2 * math.atan2(ax * cy - ay * cx, ax * cx + ay * cy)
 
     @cached_property
     def bulge(self) -> Point:
@@ -281,27 +293,6 @@ def _positive_roots(a: float, b: float, c: float) -> list[float]:
     q = -(b + math.copysign(math.sqrt(discriminant), b)) / 2
     roots = [a / q if q else 0.0, q / c if c else 0.0]
     return [r for r in roots if 0 < r < math.inf]
-
-
-def conic_arcs(pieces: Iterable[PieceLike]) -> list[Piece]:
-    """The arcs of pieces in the plane, in order.
-
-    Raises:
-        DomainError: a piece of other arcs.
-
-    >>> len(conic_arcs([Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]))
-    1
-    """
-    found = []
-    for piece in pieces:
-        for arc in piece.arcs:
-            if not isinstance(arc, Piece):
-                raise DomainError(
-                    f"The piece on {piece.interval} is of kind {piece.kind!r}, which is no "
-                    "arc of a conic in the plane: approximate a curve in the plane."
-                )
-            found.append(arc)
-    return found
 
 
 def _floats(values: tuple[float, float]) -> list[float]:

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from osculant.cas.errors import DomainError
+from osculant.pieces.kinds import HelixKind
 from osculant.pieces.piece import OfArcs
 
 if TYPE_CHECKING:
@@ -31,8 +32,6 @@ if TYPE_CHECKING:
 Vector = tuple[float, float, float]
 #: how many numbers an arc takes, given where it begins
 NUMBERS = {"segment": 3, "arc": 5, "helix": 6}
-ArcKind = Literal["helix", "arc", "segment"]
-PieceKind = Literal["bihelix", "helix", "arc", "segment"]
 
 
 @dataclass(frozen=True)
@@ -66,7 +65,7 @@ class HelixArc:
             raise DomainError(f"A helical arc has a positive length; this one has {self.length!r}.")
 
     @property
-    def kind(self) -> ArcKind:
+    def kind(self) -> HelixKind:
         """The word "segment" if κ = 0, "arc" if only τ = 0, else "helix"."""
         if self.curvature == 0:
             return "segment"
@@ -112,18 +111,11 @@ class HelixArc:
     @staticmethod
     def together(arcs: Sequence[HelixArc]) -> Callable[[Any, Floats], Floats]:
         """Return a function that evaluates many arcs at once, for arrays of their indices and of u."""
-        starts = np.array([arc.start for arc in arcs])
-        sizes = np.array([[[arc.length], [arc.rate]] for arc in arcs])
-        vectors = np.array([arc._vectors for arc in arcs])
-
-        def points(i: Any, u: Floats) -> Floats:
-            lengths, rates = np.moveaxis(sizes[i], -2, 0)
-            found: Floats = starts[i] + _from_start(
-                lengths * u[..., None], rates, *np.moveaxis(vectors[i], -2, 0)
-            )
-            return found
-
-        return points
+        rows = ((arc.start, [arc.length], [arc.rate], *arc._vectors) for arc in arcs)
+        starts, lengths, rates, *vectors = map(np.array, zip(*rows))
+        return lambda i, u: (
+            starts[i] + _from_start(lengths[i] * u[..., None], rates[i], *(v[i] for v in vectors))
+        )
 
     @property
     def numbers(self) -> int:
@@ -216,7 +208,7 @@ class SpacePiece(OfArcs):
             )
 
     @property
-    def kind(self) -> PieceKind:
+    def kind(self) -> Literal["bihelix"] | HelixKind:
         """The word "bihelix" for two arcs, else the arc's own kind."""
         return "bihelix" if len(self.arcs) == 2 else self.arcs[0].kind
 

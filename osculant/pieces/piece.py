@@ -13,9 +13,9 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 #: a point or a vector, with two or three coordinates
-Vector = tuple[float, ...]
+Coordinates = tuple[float, ...]
 #: the lower and the upper corner
-Box = tuple[Vector, Vector]
+Box = tuple[Coordinates, Coordinates]
 
 
 class Geometry(Protocol):
@@ -26,11 +26,11 @@ class Geometry(Protocol):
         """What curve it is, such as "segment", "arc" (of a circle), "helix" or "biarc"."""
 
     @property
-    def start(self) -> Vector:
+    def start(self) -> Coordinates:
         """The first point."""
 
     @property
-    def end(self) -> Vector:
+    def end(self) -> Coordinates:
         """The last point."""
 
     @property

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from osculant.pieces.conics import Kind, Piece, classify
+from osculant.pieces.conics import Piece, classify
 from osculant.primitives.primitive import Floats, Itself, Method, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.conics.records import Row
     from osculant.kernels.curves.plane import Place
+    from osculant.pieces.kinds import ConicKind
 
 
 def conic_piece(values: Floats, place: Place, error: float) -> Piece:
@@ -30,7 +31,7 @@ def _row(values: Floats) -> Row:
     return Row(*values.tolist())
 
 
-def _arc(row: Row, place: Place, error: float, kind: Kind, weight: float) -> Piece:
+def _arc(row: Row, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
     start, end = user_point(place, row.x0, row.y0), user_point(place, row.x2, row.y2)
     if row.q == 0:
         return Piece.segment((row.a, row.b), start, end, error)

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 from hypothesis import strategies as st
 
+from osculant.files.facts import usual_budget
 from osculant.pieces.conics import Piece, classify
 from osculant.spline import Spline
 
@@ -31,6 +32,13 @@ def spline_of(pieces, *, text="x(t), y(t)", primitive="conic", tolerance=1e-6, p
         minimal="by theory",
         predict=predict,
     )
+
+
+def written(spline, writer, *, reserve=None, command=None, **options):
+    """What a writer makes of a spline, with the budget that `Spline.write` gives it."""
+    facts = spline.facts(command)
+    budget = usual_budget(spline.chain, facts) if reserve is None else reserve
+    return writer(spline.chain, facts, budget, **options)
 
 
 @st.composite

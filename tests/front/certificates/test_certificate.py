@@ -267,6 +267,10 @@ def test_what_cannot_be_certified_is_refused():
         replace(spline, metric="area").certify()
     with pytest.raises(DomainError, match="only the text is known"):
         spline_of([circle(0.0, 1.0)]).certify()
+    space = osc.approximate(osc.curve("cos(t), sin(t), t", 0, 1), "bihelix")
+    with pytest.raises(DomainError, match="no arc of a conic in the plane: approximate a curve in the plane"):
+        space.certify()
+    assert space.certificate is None
     first, last = circle(0.0, 1.0), circle(1.5, 2.0)
     with pytest.raises(DomainError, match=r"ends at t = 1\.0 and the next begins at 1\.5"):
         certify(PlaneCurve("cos(t), sin(t)", 0, 2), [first, last], 1.0)

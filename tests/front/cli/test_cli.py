@@ -22,7 +22,8 @@ from osculant.cli import output as printing
 from osculant.cli.grammar import UsageError, arrange
 from osculant.cli.main import main
 from osculant.cli.splines import print_spline
-from osculant.files.writing import SUFFIXES, listed
+from osculant.files.registry import suffixes
+from osculant.files.writing import listed
 from tests.front.samples import circle, spline_of
 
 DATA = Path(__file__).parents[2] / "data"
@@ -196,10 +197,10 @@ def test_the_folder_of_an_output_may_be_forbidden(tmp_path, capsys, monkeypatch)
 
 
 def test_known_suffixes_are_those_of_the_spline(tmp_path, capsys):
-    files = [tmp_path / f"spline{suffix}" for suffix in SUFFIXES]
+    files = [tmp_path / f"spline{suffix}" for suffix in suffixes()]
     assert main([*CUBIC, "--with", "biarc", "--tolerance", "1e-3", "--write", *map(str, files)]) == 0
     assert all(file.stat().st_size for file in files)
-    with pytest.raises(OsculantError, match=re.escape(listed(SUFFIXES))):
+    with pytest.raises(OsculantError, match=re.escape(listed(suffixes()))):
         spline_of([circle(0.0, 1.0)]).write("spline.xyz")
 
 

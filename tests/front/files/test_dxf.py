@@ -20,7 +20,7 @@ from osculant.pieces.biarcs import Biarc
 from osculant.pieces.conics import Piece
 from tests.front.approximation.test_approximate import points_of
 from tests.front.files.test_gcode import helix, space_spline
-from tests.front.samples import circle, spline_of
+from tests.front.samples import circle, spline_of, written
 from tests.oracles import hausdorff
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
@@ -63,7 +63,7 @@ def by_gdal(text, path):
 @pytest.mark.parametrize("formula", [SPIRAL, ELLIPSE, INFLECTED])
 def test_bulges_read_back_within_the_tolerance(formula, tmp_path):
     spline = osc.approximate(osc.curve(*formula), "biarc", 1e-3)
-    text = dxf(spline, command="osculant approximate")
+    text = written(spline, dxf, command="osculant approximate")
     document = audited(text)
     (polyline,) = document.modelspace()
     assert polyline.dxftype() == "LWPOLYLINE" and polyline.closed == (formula is ELLIPSE)
@@ -98,7 +98,7 @@ def close(line, spline):
 @pytest.mark.parametrize("formula", [SPIRAL, ELLIPSE, INFLECTED])
 def test_arcs_read_back(formula, tmp_path):
     spline = osc.approximate(osc.curve(*formula), "biarc", 1e-2)
-    text = dxf(spline, entities="arcs")
+    text = written(spline, dxf, entities="arcs")
     arcs = [arc for piece in spline.pieces for arc in piece.arcs]
     found = list(audited(text).modelspace())
     assert [entity.dxftype() for entity in found] == ["ARC"] * len(arcs)
@@ -121,17 +121,17 @@ def test_segments_and_straight_arcs():
         Piece.arc((1, 2), (1.0, 0.0), (2.0, 0.0), (math.cos(5e-8), -math.sin(5e-8))),
         Biarc("arc", (2, 3), (2.0, 0.0), (2.5, 0.5), (3.0, 1.0), ((1.0, 0.0), (0.0, 1.0)), (2.0, -2.0), 0.0),
     ]
-    entities = list(audited(dxf(spline_of(pieces), entities="arcs")).modelspace())
+    entities = list(audited(written(spline_of(pieces), dxf, entities="arcs")).modelspace())
     assert [entity.dxftype() for entity in entities] == ["LINE", "LWPOLYLINE", "ARC", "ARC"]
     assert entities[1].get_points("xyb")[0][2] == pytest.approx(2.5e-8, rel=1e-6)
-    (polyline,) = audited(dxf(spline_of(pieces))).modelspace()
+    (polyline,) = audited(written(spline_of(pieces), dxf)).modelspace()
     bulges = [row[0] for row in polyline.get_points("b")]
     assert bulges == pytest.approx([0, 2.5e-8, math.tan(math.pi / 8), -math.tan(math.pi / 8), 0], abs=1e-14)
 
 
 def test_nearly_a_full_turn_has_a_vertex_more():
     arc = Piece.arc((0, 1), (1.0, 0.0), (math.cos(6.0), math.sin(6.0)), (0.0, 1.0))
-    (polyline,) = audited(dxf(spline_of([arc]))).modelspace()
+    (polyline,) = audited(written(spline_of([arc]), dxf)).modelspace()
     rows = polyline.get_points("xyb")
     assert np.allclose(rows[1][:2], [math.cos(3.0), math.sin(3.0)])
     assert [row[2] for row in rows[:2]] == pytest.approx([math.tan(0.75)] * 2)
@@ -139,14 +139,14 @@ def test_nearly_a_full_turn_has_a_vertex_more():
 
 def test_units():
     for units, code in ((None, 0), ("inch", 1), ("mm", 4)):
-        text = dxf(spline_of([Piece.segment((0, 1), (0.0, 0.0), (1.0, 0.0))]), units=units)
+        text = written(spline_of([Piece.segment((0, 1), (0.0, 0.0), (1.0, 0.0))]), dxf, units=units)
         assert audited(text).header["$INSUNITS"] == code
 
 
 @pytest.mark.parametrize("kept", [1e-3, 1e-5])
 def test_chords_of_helices(kept, tmp_path):
     arc = helix(2, 1, 0.5, 0.3, 4.0, tilt=0.4)
-    text = dxf(space_spline([arc]), chord_tolerance=kept)
+    text = written(space_spline([arc]), dxf, chord_tolerance=kept)
     document = audited(text)
     (polyline,) = document.modelspace()
     assert polyline.get_mode() == "AcDb3dPolyline"
@@ -165,7 +165,7 @@ def test_chords_of_helices(kept, tmp_path):
 
 def test_a_spline_in_space(tmp_path):
     spline = osc.approximate(osc.curve("t*cos(t), t*sin(t), t", "0", "2*pi"), "bihelix", "1e-2")
-    (line,) = by_gdal(dxf(spline), tmp_path / "space.dxf")
+    (line,) = by_gdal(written(spline, dxf), tmp_path / "space.dxf")
     points = shapely.get_coordinates(line, include_z=True)
     assert np.allclose(points[[0, -1]], [spline.pieces[0].start, spline.pieces[-1].end])
     dense = spline.sample(400)
@@ -177,17 +177,17 @@ def test_refusals(monkeypatch):
     parabola = spline_of([Piece("parabola", (0, 1), (0.0, 0.0), (2.0, 0.0), (1.0, 1.0), 1.0, 0.0)])
     for entities in ("polyline", "arcs"):
         with pytest.raises(DomainError, match="is of kind 'parabola': approximate with biarcs"):
-            dxf(parabola, entities=entities)
+            written(parabola, dxf, entities=entities)
     half = spline_of([Piece.arc((0, 3), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0))])
     with pytest.raises(DomainError, match="'polyline' or 'arcs', not 'splines'"):
-        dxf(half, entities="splines")
+        written(half, dxf, entities="splines")
     with pytest.raises(DomainError, match="'mm' or 'inch', not 'm'"):
-        dxf(half, units="m")
+        written(half, dxf, units="m")
     monkeypatch.setitem(sys.modules, "ezdxf.filemanagement", None)
     with pytest.raises(OsculantError, match=r"`pip install osculant\[cad\]` adds it"):
-        dxf(half)
+        written(half, dxf)
 
 
 def test_a_circle_of_another_kind_is_refused():
     with pytest.raises(DomainError, match="is of kind 'ellipse': approximate with biarcs"):
-        dxf(spline_of([circle(0, 1)]))
+        written(spline_of([circle(0, 1)]), dxf)

@@ -19,8 +19,8 @@ from osculant.files.svg import path_data, svg
 from osculant.pieces.beziers import cubic_bound, cubics, ellipse, parabola_bound
 from osculant.pieces.conics import Piece, classify
 from osculant.pieces.piece import largest_of
-from osculant.tolerances import writing_reserve
-from tests.front.samples import circle, pieces, spline_of
+from osculant.tolerances import writing_share
+from tests.front.samples import circle, pieces, spline_of, written
 
 SVG = "{http://www.w3.org/2000/svg}"
 STEPS = [mpf(i) / 10 for i in range(11)]
@@ -287,7 +287,7 @@ def test_the_ellipse_carries_the_arc(piece, halvings):
 @given(pieces(), st.one_of(st.none(), st.floats(-12, -1)))
 @settings(max_examples=100, deadline=None)
 def test_the_written_curve_stays_within_the_reserve(piece, exponent):
-    floor = writing_reserve(0.0, largest_coordinate(piece))
+    floor = writing_share(0.0, math.ulp(largest_coordinate(piece)))
     reserve = floor if exponent is None else max(floor, 10**exponent * size_of(piece))
     data, _ = path_data([piece], reserve)
     commands = read_path(data)
@@ -304,7 +304,7 @@ def test_tiny_arcs_of_large_ellipses(slimness, turning, exponent, start):
     ends = [np.array([math.cos(start + x), slimness * math.sin(start + x)]) for x in (0, 2 * half)]
     middle = np.array([math.cos(start + half), slimness * math.sin(start + half)])
     piece = Piece("ellipse", (0, 1), tuple(ends[0]), tuple(ends[1]), tuple(middle), w, 0.0)
-    reserve = max(10**exponent * size_of(piece), writing_reserve(0, 1.0))
+    reserve = max(10**exponent * size_of(piece), writing_share(0, math.ulp(1.0)))
     assert deviation(piece, read_path(path_data([piece], reserve)[0]), reserve) <= reserve
 
 
@@ -316,7 +316,7 @@ def test_arcs_of_circles_are_few_and_exact(radius, shift):
             piece = circle(0.3, 0.3 + turning, radius=radius, shift=shift * radius)
             if direction < 0:
                 piece = replace(piece, start=piece.end, end=piece.start)
-            reserve = writing_reserve(1e-6 * radius, 4 * (shift + 1) * radius)
+            reserve = writing_share(1e-6 * radius, math.ulp(4 * (shift + 1) * radius))
             commands = read_path(path_data([piece], reserve)[0])
             assert [command[0] for command in commands] == ["A"] * count
             assert all(command[2][3:] == [0, direction > 0] for command in commands)
@@ -335,7 +335,9 @@ def test_pieces_join_and_share_their_rounding(parts, exponent):
         middle = (piece.weight * here[0] + ax, piece.weight * here[1] + ay)
         chain.append(replace(piece, start=here, end=end, middle=middle))
         here = end
-    reserve = max(10**exponent * scale, *(writing_reserve(0, largest_coordinate(piece)) for piece in chain))
+    reserve = max(
+        10**exponent * scale, *(writing_share(0, math.ulp(largest_coordinate(piece))) for piece in chain)
+    )
     commands = read_path(path_data(chain, reserve)[0])
     counts = [len(read_path(path_data([piece], reserve)[0])) for piece in chain]
     assert sum(counts) == len(commands)
@@ -385,20 +387,21 @@ def test_only_the_path_of_a_closed_spline_is_closed():
         (replace(spline_of(thirds[:2]), closed=True), False),  # its ends do not meet
         (replace(spline_of([*thirds[:2], replace(thirds[2], end=(1 + 1e-9, 0.0))]), closed=True), False),
     ):
-        path = ET.fromstring(svg(spline)).find(f".//{SVG}path[@id='spline']").get("d")
+        path = ET.fromstring(written(spline, svg)).find(f".//{SVG}path[@id='spline']").get("d")
         assert path.endswith(" Z") == ends and path.count("Z") == ends  # XML makes a blank of a line end
 
 
-def test_a_spline_without_room_for_rounding_is_refused():
+def test_a_spline_without_room_for_rounding_is_refused(tmp_path):
     spline = spline_of([circle(0.0, 2.0, error=1e-6)], tolerance=1e-6)
     with pytest.raises(ToleranceError, match=r"leaves 0 of the tolerance .* write with a larger reserve"):
-        svg(spline)
-    assert "of writing at most 1e-09 more" in svg(spline, reserve=1e-9)
+        spline.write(tmp_path / "a.svg")
+    assert not list(tmp_path.iterdir())
+    assert "of writing at most 1e-09 more" in written(spline, svg, reserve=1e-9)
 
 
 def test_the_file_is_a_picture_with_its_history():
     spline = spline_of([circle(0, 2), circle(2, 4, error=1e-9)], text='cos(t), sin(t) < "&"', tolerance=1e-6)
-    text = svg(spline, command="osculant approximate 'a < b & c' --tolerance 1e-6 \x00]]>")
+    text = written(spline, svg, command="osculant approximate 'a < b & c' --tolerance 1e-6 \x00]]>")
     root = ET.fromstring(text)
     description = root.find(SVG + "desc").text
     assert "osculant approximate 'a < b & c' --tolerance 1e-6 \ufffd]]>" in description
@@ -416,5 +419,5 @@ def test_the_file_is_a_picture_with_its_history():
     assert (curve.get("id"), knots.get("id")) == ("spline", "knots")
     assert knots.get("d").count("M") == 3
     assert curve.get("d").count("M") == 1
-    assert "knots" not in svg(spline, knots=False)
-    assert "command" not in svg(spline)
+    assert "knots" not in written(spline, svg, knots=False)
+    assert "command" not in written(spline, svg)
