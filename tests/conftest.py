@@ -4,10 +4,6 @@ import os
 
 from hypothesis import settings
 
-from osculant.kernels import jit
-
-jit.FRESH = False  # the notice of a first compilation would be output that no test expects
-
 settings.register_profile("default", deadline=None)
 settings.register_profile("ci", deadline=None, derandomize=True)
 settings.load_profile("ci" if os.environ.get("CI") else "default")
