@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
     from osculant.cas.invariants.plane import ExactInvariants
     from osculant.cas.jets.balls import CurveBalls
-    from osculant.cas.jets.plane import Invariant, PlaneJet
+    from osculant.cas.jets.jet import Invariant
+    from osculant.cas.jets.plane import PlaneJet
     from osculant.cas.zeros.form_zeros import FormZeros
     from osculant.codegen.jets import CompiledJet
 
@@ -53,8 +54,7 @@ class PlaneCurve(FormulaCurve):
         """The invariants as simplified expressions."""
         from osculant.cas.invariants.plane import ExactInvariants
 
-        x, y = self.coordinates
-        return ExactInvariants(x, y, "t", *(self._ends or ()))
+        return ExactInvariants(*self.coordinates, ends=self._ends)
 
     @cached_property
     def zeros(self) -> FormZeros[PlaneJet]:

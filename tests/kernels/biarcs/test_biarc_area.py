@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from osculant.cas.asymptotics import arc_splines
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry import biarcs as reference
-from osculant.cas.geometry.bitangent import root_between
+from osculant.cas.numbers.roots import root_between
 from osculant.codegen.jets import compile_jet
 from osculant.kernels import search as greedy
 from osculant.kernels.biarcs import area_exchange as biarc_area
