@@ -59,10 +59,9 @@ class PlaneCurve(FormulaCurve):
     @cached_property
     def zeros(self) -> FormZeros[PlaneJet]:
         """The zeros of `osculant.cas.zeros.plane.FORMS`: cusps, inflections, sextactic points, …."""
-        from osculant.cas.zeros.form_zeros import FormZeros
-        from osculant.cas.zeros.plane import FORMS
+        from osculant.cas.zeros.plane import zeros
 
-        return FormZeros(self.balls, FORMS)
+        return zeros(self.balls)
 
     def bend(self, t: Any) -> float:
         """1 if the curve bends to the left at a ball t, −1 if to the right."""
