@@ -52,13 +52,10 @@ def test_displacement_and_its_derivatives(a, length, x, off):
     assert d == pytest.approx(brute_displacement(pencil, q, source, t), rel=1e-6, abs=1e-13)
     step = 1e-6
     around = [
-        pencils.displacement(pencil, q * (1 + s), pencils.view(pencil, source, t))[0]
-        for s in (-step, step)
+        pencils.displacement(pencil, q * (1 + s), pencils.view(pencil, source, t))[0] for s in (-step, step)
     ]
     assert by_q == pytest.approx((around[1] - around[0]) / (2 * step * q), rel=1e-4, abs=1e-8)
-    around = [
-        pencils.displacement(pencil, q, pencils.view(pencil, source, t + s))[0] for s in (-step, step)
-    ]
+    around = [pencils.displacement(pencil, q, pencils.view(pencil, source, t + s))[0] for s in (-step, step)]
     assert slope == pytest.approx((around[1] - around[0]) / (2 * step), rel=1e-3, abs=1e-7)
 
 
