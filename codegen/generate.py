@@ -13,7 +13,8 @@ import sympy as sp
 
 from osculant.cas.formulas.sympy_bridge import to_sympy
 from osculant.cas.geometry import pencil
-from osculant.cas.invariants.plane import jet_symbols
+from osculant.cas.invariants.values import jet_symbols
+from osculant.cas.jets.plane import PlaneJet
 from osculant.cas.jets.space import SpaceJet
 from osculant.cas.laws.law import METRICS, Law
 from osculant.cas.laws.table import LAWS
@@ -55,7 +56,7 @@ def pencil_module() -> str:
 
 def invariants_module() -> str:
     """The scalar invariants over jets of order 5."""
-    jet = jet_symbols()
+    jet = jet_symbols(PlaneJet, "xy", 5)
     names = {
         "speed": jet.speed,
         "curvature": jet.curvature,
@@ -80,7 +81,7 @@ def laws_module() -> str:
     ``CONIC_AREA_ORDER``. Laws of space curves have no density here; their constants c are printed instead,
     as ``BIHELIX_CONSTANT``.
     """
-    jet = jet_symbols()
+    jet = jet_symbols(PlaneJet, "xy", 5)
     laws = sorted(LAWS.values(), key=lambda law: list(METRICS).index(law.metric))
     constants: dict[str, sp.Expr | int] = {f"{law_name(law)}_ORDER".upper(): law.order for law in laws}
     forms = []

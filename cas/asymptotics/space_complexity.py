@@ -7,8 +7,7 @@ integrand is P^{1/3} S^{−1/2} C^{−1/6}: analytic off the zeros of P, S and C
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from fractions import Fraction
+from collections.abc import Sequence
 from typing import Any
 
 from flint import acb, arb
@@ -17,39 +16,13 @@ from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import Node
 from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.balls import precision
+from osculant.cas.numbers.fields import ComplexBalls
 from osculant.cas.numbers.taylor import program
 
 #: working precision in bits, and the relative accuracy wanted
 BITS, ACCURACY = 96, 1e-9
 #: values of the integrand before the enclosure is left as wide as it is
 EVALUATIONS = 20000
-
-
-class ComplexBalls:
-    """python-flint's complex balls as a field for programs: formulas continued off the real line."""
-
-    def number(self, value: Fraction) -> Any:
-        """The ball of a rational number."""
-        return acb(arb(value.numerator) / value.denominator)
-
-    def constant(self, name: str) -> Any:
-        """pi or e."""
-        return acb(arb.pi() if name == "pi" else arb.const_e())
-
-    def function(self, name: str) -> Callable[[Any], Any]:
-        """An entire or meromorphic elementary function; DomainError for those with branches."""
-        if name not in {"sin", "cos", "tan", "sinh", "cosh", "tanh", "exp"}:
-            raise DomainError(
-                f"{name} has branches in the complex plane: its integral is not certified here."
-            )
-        found: Callable[[Any], Any] = getattr(acb, name)
-        return found
-
-    def power(self, base: Any, exponent: Fraction) -> Any:
-        """Raises DomainError: roots have branches."""
-        raise DomainError(
-            f"The power {exponent} has branches in the complex plane: write the formula without."
-        )
 
 
 def curvature_slope_integral(coordinates: Sequence[Node], low: Any, high: Any) -> Any:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
+from operator import and_
 from typing import Any
 
 import sympy as sp
@@ -246,3 +248,8 @@ def encloses(ball: Any, expected: Any, what: str) -> Evidence:
     narrow = float(ball.rad()) <= 1e-6 * max(1e-300, abs(float(ball.mid())))
     line = f"{what}: {ball.str(20)} against {expected!s}"
     return Evidence(bool(narrow and (ball - expected).contains(0)), (line,))
+
+
+def all_of(evidence: Iterable[Evidence]) -> Evidence:
+    """The conjunction of some evidence, at least one piece."""
+    return reduce(and_, evidence)

@@ -11,8 +11,8 @@ import sympy as sp
 
 from osculant.cas.claims.claim import Evidence
 from osculant.cas.claims.proof import read_tuple, vanishes
-from osculant.cas.derivations.space import combine
-from osculant.cas.jets.space import Vector3, subtract
+from osculant.cas.jets.derivations.space import combine
+from osculant.cas.numbers.vectors import Vector3, subtract
 
 
 def read_vectors(

@@ -14,15 +14,13 @@ from typing import Any
 import mpmath as mp
 
 from osculant.cas.errors import DomainError
-from osculant.cas.geometry.bitangent import root_between
 from osculant.cas.geometry.moons import integral
+from osculant.cas.numbers.roots import root_between
 
 #: a parameter to the curve's point and unit tangent there, complex
 Curve = Callable[[Any], tuple[Any, Any]]
 #: a parameter to the curve's point and velocity there, complex
 Path = Callable[[Any], tuple[Any, Any]]
-#: halvings when the parameter of the best member is located
-HALVINGS = 140
 
 
 @dataclass(frozen=True)
@@ -112,7 +110,7 @@ def extremes(biarc: Biarc, curve: Curve, parameters: Sequence[Any]) -> tuple[Any
 def equioscillating(
     family: Callable[[Any], Biarc], curve: Curve, parameters: Sequence[Any]
 ) -> tuple[Any, Any]:
-    """(μ, error) of the member whose largest and smallest displacement are opposite, by bisection.
+    """(μ, error) of the member whose largest and smallest displacement are opposite.
 
     Raises DomainError if max + min has the same sign near both ends of (0, 1).
     """
@@ -121,16 +119,10 @@ def equioscillating(
         return sum(extremes(family(mu), curve, parameters))
 
     low, high = mp.mpf(1) / 16, mp.mpf(15) / 16
-    rising = balance(high) > 0
-    if (balance(low) > 0) == rising:
+    if balance(low) * balance(high) >= 0:
         raise DomainError("The extreme displacements do not balance for any junction between 1/16 and 15/16.")
-    for _ in range(min(HALVINGS, mp.mp.prec)):
-        middle = (low + high) / 2
-        if (balance(middle) > 0) == rising:
-            high = middle
-        else:
-            low = middle
-    return low, max(abs(e) for e in extremes(family(low), curve, parameters))
+    mu = root_between(balance, low, high)
+    return mu, max(abs(e) for e in extremes(family(mu), curve, parameters))
 
 
 def signed_area(biarc: Biarc, path: Path, low: Any, high: Any) -> Any:

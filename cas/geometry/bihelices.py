@@ -16,8 +16,8 @@ from typing import Any
 
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.short_helices import ShortHelix, short_helix
-from osculant.cas.jets.space import Vector3, add, cross, dot, scale, subtract
 from osculant.cas.numbers.power_series import ratio
+from osculant.cas.numbers.vectors import Vector3, add, cross, dot, scale, subtract
 
 #: binary digits that floating point data may lose before a direction counts as undetermined
 GUARD = 12

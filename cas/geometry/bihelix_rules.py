@@ -20,9 +20,11 @@ from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.expression import Node
 from osculant.cas.geometry.bihelices import Bihelix, End, Line, bihelix_through, junction_line
 from osculant.cas.geometry.short_helices import ShortHelix
-from osculant.cas.jets.space import SpaceJet, Vector3, add, cross, dot, scale, subtract
+from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.fields import Multiprecision
+from osculant.cas.numbers.roots import increasing_root, root_between
 from osculant.cas.numbers.taylor import program
+from osculant.cas.numbers.vectors import Vector3, add, cross, dot, scale, subtract
 
 #: points of each side at which a peak is looked for, and steps of any iteration
 SAMPLES, STEPS = 10, 60
@@ -96,40 +98,6 @@ class SpaceArc:
         return increasing_root(value_and_slope, self.low, self.high, start)
 
 
-def increasing_root(f: Callable[[Any], tuple[Any, Any]], low: Any, high: Any, start: Any) -> Any:
-    """A point of [low, high] where f changes from negative to positive: Newton's method, or else halving.
-
-    Args:
-        f: gives the value and the derivative.
-        low: f < 0 is expected here; where it is not, the end nearest to a root is returned.
-        high: likewise, f > 0.
-        start: first guess.
-
-    Raises UndecidedError if neither settles, or f is not a number somewhere.
-
-    >>> print(increasing_root(lambda x: (x * x - 2, 2 * x), mp.mpf(0), mp.mpf(2), mp.mpf(1)))
-    1.41421356237309
-    """
-    x, settled = start, mp.eps * 64 * max(abs(low), abs(high))
-    for _ in range(STEPS + mp.mp.prec):
-        value, slope = f(x)
-        if mp.isnan(value):
-            break
-        if value < 0:
-            low = x
-        else:
-            high = x
-        new = x - value / slope if slope > 0 else low
-        if slope > 0 and abs(new - x) <= settled:
-            return new
-        if not low < new < high:
-            new = (low + high) / 2
-            if high - low <= settled:
-                return new
-        x = new
-    raise UndecidedError(f"No root was settled near {mp.nstr(x, 10)}: start nearer to it.")
-
-
 def thesis_bihelix(arc: SpaceArc) -> Bihelix:
     """Junction tangent T* from the middle of the arc, junction point on l(T*) nearest to the middle (4.1.2).
 
@@ -174,21 +142,11 @@ def equioscillating_bihelix(arc: SpaceArc, digits: int = 6) -> Bihelix:
         left, right = peaks(arc, shifted_bihelix(arc, u))
         return (left - right) / (left + right)
 
-    low, high, low_value, high_value = _bracket(arc, difference)
-    for _ in range(STEPS):
-        u = low - low_value * (high - low) / (high_value - low_value)
-        value = difference(u)
-        if abs(value) <= mp.mpf(10) ** -digits:
-            return shifted_bihelix(arc, u)
-        if mp.sign(value) == mp.sign(high_value):
-            high, high_value, low_value = u, value, low_value / 2  # the Illinois method
-        else:
-            low, low_value, high_value = u, value, high_value / 2
-    raise UndecidedError(f"The peaks of the bihelix did not become equal in {STEPS} steps.")
+    return shifted_bihelix(arc, root_between(difference, *_bracket(arc, difference), mp.mpf(10) ** -digits))
 
 
-def _bracket(arc: SpaceArc, difference: Callable[[Any], Any]) -> tuple[Any, Any, Any, Any]:
-    """The two offsets nearest to the middle between which the peaks change places, and both differences."""
+def _bracket(arc: SpaceArc, difference: Callable[[Any], Any]) -> tuple[Any, Any]:
+    """The two offsets nearest to the middle between which the peaks change places."""
     at_middle = difference(mp.mpf(0))
     edges = {1: (mp.mpf(0), at_middle), -1: (mp.mpf(0), at_middle)}
     for i in range(1, OFFSETS):
@@ -200,7 +158,7 @@ def _bracket(arc: SpaceArc, difference: Callable[[Any], Any]) -> tuple[Any, Any,
                 del edges[side]
                 continue
             if mp.sign(high_value) != mp.sign(low_value):
-                return low, high, low_value, high_value
+                return low, high
             edges[side] = high, high_value
     raise UndecidedError(
         f"No junction makes the peaks equal on the arc from t = {mp.nstr(arc.low, 8)} to "

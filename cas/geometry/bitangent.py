@@ -8,7 +8,7 @@ claims and tests.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -19,6 +19,7 @@ from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.expression import Node
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.numbers.fields import Multiprecision
+from osculant.cas.numbers.roots import root_between
 from osculant.cas.numbers.taylor import program
 
 Vector = tuple[Any, Any]
@@ -285,25 +286,3 @@ def _positive(q: Any) -> Any:
             f"The parameter Q of a bitangent conic is positive and finite, not {mp.nstr(q, 8)}."
         )
     return q
-
-
-def root_between(function: Callable[[Any], Any], low: Any, high: Any) -> Any:
-    """A zero between two parameters of opposite sign, to the working precision.
-
-    >>> mp.nstr(root_between(lambda t: t * t - 2, mp.mpf(1), mp.mpf(2)), 12)
-    '1.41421356237'
-    """
-    at_low, at_high = function(low), function(high)
-    narrow = 4 * mp.eps * (abs(low) + abs(high))
-    for _ in range(8 * mp.dps):
-        if at_low == 0 or at_high == 0 or abs(high - low) <= narrow:
-            break
-        t = (low * at_high - high * at_low) / (at_high - at_low)
-        value = function(t)
-        if value * at_high <= 0:
-            low, at_low = high, at_high
-        else:  # Anderson and Björck: the end that stays counts for less, so the other side is met soon
-            factor = 1 - value / at_high
-            at_low *= factor if factor > 0 else mp.mpf(1) / 2
-        high, at_high = t, value
-    return low if abs(at_low) < abs(at_high) else high

@@ -17,7 +17,8 @@ import sympy as sp
 from flint import fmpq
 
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.jets.plane import PlaneJet, Root, real_root
+from osculant.cas.jets.jet import Root, real_root
+from osculant.cas.jets.plane import PlaneJet
 from osculant.cas.numbers.divided_differences import exact, exact_nodes, is_zero, newton
 from osculant.cas.numbers.power_series import PowerSeries, ratio
 

@@ -11,14 +11,14 @@ expressions, as in `osculant.cas.jets.space`.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 from osculant.cas.errors import DomainError
-from osculant.cas.jets.plane import Root, real_root
-from osculant.cas.jets.space import Vector3, add, cross, scale, subtract
+from osculant.cas.jets.jet import Root, real_root
+from osculant.cas.numbers.fields import field_of
+from osculant.cas.numbers.vectors import Vector3, add, cross, scale, subtract
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,7 @@ class GeneralisedHelix:
         integrals: the arc length s to the four functions of φ there, with φ(0) = 0.
         root: ``root(value, 2)``, the square root of such numbers.
 
+    >>> import math
     >>> T, N = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
     >>> flat = GeneralisedHelix((0.0, 0.0, 0.0), T, N, 0.0, circular_integrals(1.0))
     >>> [round(x, 12) + 0.0 for x in flat.at(math.pi / 2)]  # a quarter of the unit circle
@@ -97,6 +98,7 @@ class CircularHelix:
         torsion: τ, usual sign; positive for a right-handed helix.
         root: ``root(value, 2)``, the square root of such numbers.
 
+    >>> import math
     >>> helix = CircularHelix((3.0, 0.0, 0.0), (0.0, 0.6, 0.8), (-1.0, 0.0, 0.0), 0.12, 0.16)
     >>> [round(x, 12) + 0.0 for x in helix.at(10 * math.pi)]  # one turn: pitch 8π
     [3.0, 0.0, 25.132741228718]
@@ -162,65 +164,8 @@ def circular_integrals(rate: Any) -> Callable[[Any], Integrals]:
     """
 
     def at(s: Any) -> Integrals:
-        half_sine = _apply("sin", rate * s / 2)
-        cosine, sine = _apply("cos", rate * s), _apply("sin", rate * s)
+        sin, cos = (field_of(rate * s).function(name) for name in ("sin", "cos"))
+        half_sine, cosine, sine = sin(rate * s / 2), cos(rate * s), sin(rate * s)
         return Integrals(cosine, sine, sine / rate, 2 * half_sine * half_sine / rate)  # no cancellation
 
     return at
-
-
-def numeric_integrals(angle: Callable[[Any], Any]) -> Callable[[Any], Integrals]:
-    """The four functions for a φ with φ(0) = 0, by mpmath's quadrature at its current precision.
-
-    Args:
-        angle: φ, from mpmath numbers to mpmath numbers.
-
-    >>> from mpmath import mpf
-    >>> print(numeric_integrals(lambda s: s)(mpf(1)).C)  # sin 1
-    0.841470984807897
-    """
-    import mpmath as mp
-
-    def at(s: Any) -> Integrals:
-        return Integrals(
-            mp.cos(angle(s)),
-            mp.sin(angle(s)),
-            mp.quad(lambda u: mp.cos(angle(u)), [0, s]),
-            mp.quad(lambda u: mp.sin(angle(u)), [0, s]),
-        )
-
-    return at
-
-
-def symbolic_integrals(angle: Any, variable: Any) -> Callable[[Any], Integrals]:
-    """The four functions for a φ that is a sympy expression, 0 at 0; what sympy cannot integrate stays.
-
-    >>> import sympy
-    >>> s = sympy.Symbol("s", positive=True)
-    >>> symbolic_integrals(2 * s, s)(s).C
-    sin(2*s)/2
-    """
-    import sympy
-
-    def at(s: Any) -> Integrals:
-        u = sympy.Dummy("u", positive=True)
-        inner = angle.subs(variable, u)
-        cosine, sine = sympy.cos(inner), sympy.sin(inner)
-        C, S = (sympy.integrate(f, (u, 0, s)) for f in (cosine, sine))
-        return Integrals(cosine.subs(u, s), sine.subs(u, s), C, S)
-
-    return at
-
-
-def _apply(name: str, value: Any) -> Any:
-    """sin or cos in the kind of number of the value."""
-    library = type(value).__module__.partition(".")[0]
-    if library in {"mpmath", "flint"}:
-        from osculant.cas.numbers.fields import Balls, Multiprecision
-
-        return (Balls() if library == "flint" else Multiprecision()).function(name)(value)
-    if library == "sympy":
-        import sympy
-
-        return getattr(sympy, name)(value)
-    return getattr(math, name)(value)

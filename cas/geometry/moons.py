@@ -15,7 +15,8 @@ from typing import Any
 from mpmath import mp
 
 from osculant.cas.errors import UndecidedError
-from osculant.cas.geometry.bitangent import BitangentPencil, root_between
+from osculant.cas.geometry.bitangent import BitangentPencil
+from osculant.cas.numbers.roots import root_between
 
 #: Gauss–Legendre nodes for every digit wanted: ample on arcs without singularities nearby
 NODES_PER_DIGIT = 1.5

@@ -22,7 +22,7 @@ import mpmath as mp
 
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.geometry.helices import CircularHelix
-from osculant.cas.jets.space import Vector3, add, cross, dot, scale, subtract
+from osculant.cas.numbers.vectors import Vector3, add, cross, dot, scale, subtract
 
 #: digits carried beyond the caller's, the most steps of the root finder, and the units of rounding below
 #: which tangents count as equal or opposite, and an arc as plane

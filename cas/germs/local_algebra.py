@@ -9,7 +9,7 @@ from itertools import combinations, pairwise
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.annihilator import annihilator
-from osculant.cas.germs.codimension import COLUMNS, ORDER, codimension
+from osculant.cas.germs.codimension import COLUMNS, ORDER
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.polynomials import Polynomial
 from osculant.cas.germs.tangent import JetSpace
@@ -82,18 +82,6 @@ def milnor_number(germ: Germ) -> int:
         return [poly.derivative(f, i, germ.n) for i in range(germ.n)]
 
     return local_algebra(gradient, germ.n, "Milnor algebra").dimension
-
-
-def tjurina_number(germ: Germ) -> int:
-    """dim θ/T K_e f: dim O/(f, ∂f) for a function. Raises DomainError if it is infinite.
-
-    >>> tjurina_number(Germ("x**4 + y**5 + x**2*y**3", "x y"))
-    11
-    """
-    found = codimension(germ, "K", extended=True)
-    if found.value == "infinite":
-        raise DomainError(f"The Tjurina number of {germ} is infinite: it is degenerate along {found.curve}.")
-    return found.value
 
 
 def q_algebra(germ: Germ) -> LocalAlgebra:

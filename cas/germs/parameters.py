@@ -197,21 +197,6 @@ def moduli(family: Family, name: str | Group) -> Moduli:
     return Moduli(number, _value(here), False, point)
 
 
-def is_trivial(family: Family, name: str | Group) -> bool:
-    """Whether the parameter is removable: all f_a between two real exceptional values are equivalent.
-
-    Over ℂ all f_a with a not exceptional are. This is Mather's lemma; it is decided exactly.
-
-    >>> is_trivial(Family("x, y**3 + a*x*y", "x y", "a"), "A")
-    True
-    """
-    if len(family.parameters) != 1:
-        raise DomainError(
-            f"Triviality is decided for one parameter: the family has {len(family.parameters)}."
-        )
-    return moduli(family, name).number == 0
-
-
 def _modulus(family: Family, g: Group) -> Moduli:
     found = codimension_of_family(family, g, curves=False)
     germ = GenericGerm(family)

@@ -200,6 +200,8 @@ class Entry:
 class Reference:
     """A reference list: its name, title and source (author, title, journal, year), and its entries.
 
+    Raises DomainError for a list without a source, and for two entries of one id.
+
     >>> rieger = reference("rieger")
     >>> rieger.source[:14], rieger["5"].text
     ('J. H. Rieger, ', 'x, x*y + y**4')
@@ -209,6 +211,13 @@ class Reference:
     title: str
     source: str
     entries: tuple[Entry, ...]
+
+    def __post_init__(self) -> None:
+        if not self.source.strip():
+            raise DomainError(f"The reference list {self.name!r} has no source: name one.")
+        for i, entry in enumerate(self.entries):
+            if any(entry.id == other.id for other in self.entries[:i]):
+                raise DomainError(f"{self.name} has two entries {entry.id!r}: rename one.")
 
     def __getitem__(self, identifier: str) -> Entry:
         for entry in self.entries:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
-from math import gcd, lcm, prod
+from math import gcd, lcm
 
 from osculant.cas.errors import DomainError
 from osculant.cas.germs import polynomials as poly
@@ -73,21 +73,6 @@ def _positive(basis: Sequence[Sequence[Fraction]]) -> tuple[int, ...] | None:
 
 def _weight(source: Sequence[int], exponents: Sequence[int]) -> int:
     return sum(w * e for w, e in zip(source, exponents))
-
-
-def milnor_orlik(germ: Germ) -> Fraction:
-    """Π (d − wᵢ)/wᵢ: the Milnor number of a quasi-homogeneous function, if its critical point is isolated.
-
-    Raises DomainError for p > 1 and for a function that is not quasi-homogeneous.
-
-    >>> milnor_orlik(Germ("x**3 + x*y**3", "x y"))  # E₇
-    Fraction(7, 1)
-    """
-    found = weights(germ) if germ.p == 1 else None
-    if found is None:
-        raise DomainError(f"{germ} is no quasi-homogeneous function in these coordinates.")
-    degree = found.target[0]
-    return prod((Fraction(degree - w, w) for w in found.source), start=Fraction(1))
 
 
 def not_isolated(germ: Germ, group: Group) -> bool:

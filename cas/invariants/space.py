@@ -2,29 +2,13 @@
 
 from __future__ import annotations
 
-from osculant.cas.formulas.expression import Node
 from osculant.cas.invariants.values import ExactValues
-from osculant.cas.jets.plane import Invariant
-from osculant.cas.jets.space import SpaceJet
+from osculant.cas.jets.jet import Invariant
+from osculant.cas.jets.space import SPACE_INVARIANTS, SpaceJet
 
 #: derivatives that the invariants below need
 ORDER = 4
 
-#: the invariants of `SpaceJet` in the order in which they are printed; torsion has the usual sign
-SPACE_INVARIANTS = (
-    Invariant("speed", "speed", "ds/dt", r"\frac{ds}{dt}", "everywhere"),
-    Invariant("curvature", "curvature", "kappa", r"\kappa", "regular"),
-    Invariant("torsion", "torsion", "tau", r"\tau", "curved"),
-    Invariant("curvature_slope", "derivative of the curvature", "dkappa/ds", r"\frac{d\kappa}{ds}", "curved"),
-    Invariant("torsion_slope", "derivative of the torsion", "dtau/ds", r"\frac{d\tau}{ds}", "curved"),
-    Invariant("tangent", "tangent", "T", "T", "regular"),
-    Invariant("normal", "principal normal", "N", "N", "curved"),
-    Invariant("binormal", "binormal", "B", "B", "curved"),
-    Invariant("darboux_vector", "Darboux vector", "tau T + kappa B", r"\tau T + \kappa B", "curved"),
-    Invariant("frame_rate", "its length", "beta", r"\beta", "curved"),
-    Invariant("darboux_frame", "Darboux frame", "(N, W, V)", "(N, W, V)", "curved"),
-    Invariant("axis_rate", "rate of V", "gamma", r"\gamma", "curved"),
-)
 #: the arc length, which is an integral and so no part of a jet, and its integrand's name
 SPACE_LENGTHS = ((Invariant("arc_length", "arc length", "s", "s", "everywhere"), "speed"),)
 
@@ -32,12 +16,7 @@ SPACE_LENGTHS = ((Invariant("arc_length", "arc length", "s", "s", "everywhere"),
 class SpaceExactInvariants(ExactValues[SpaceJet]):
     r"""The invariants of the curve (x(t), y(t), z(t)) by name, in the order of `SPACE_INVARIANTS`.
 
-    Args:
-        x, y, z: the coordinates' expressions.
-        variable: name of the parameter.
-        start, end: constants between which the arc length is taken; without them it is indefinite.
-
-    Values, ``over_jets`` and errors are as for `ExactValues`; symbols of jets are x1 … x4, y1 … z4.
+    Arguments, values, ``over_jets`` and errors are those of `ExactValues`; symbols of jets are x1 … z4.
 
     >>> from osculant.cas.formulas.parser import parse_tuple
     >>> helix = SpaceExactInvariants(*parse_tuple("3*cos(t), 3*sin(t), 4*t"))
@@ -47,17 +26,7 @@ class SpaceExactInvariants(ExactValues[SpaceJet]):
     (True, False)
     """
 
-    def __init__(
-        self,
-        x: Node,
-        y: Node,
-        z: Node,
-        variable: str = "t",
-        start: Node | None = None,
-        end: Node | None = None,
-    ) -> None:
-        ends = None if start is None or end is None else (start, end)
-        super().__init__((x, y, z), SpaceJet, ORDER, SPACE_INVARIANTS, SPACE_LENGTHS, variable, ends)
+    jet_type, order, invariants, lengths = SpaceJet, ORDER, SPACE_INVARIANTS, SPACE_LENGTHS
 
     @property
     def planar(self) -> bool | None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from typing import Any, Generic, TypeAlias, TypeVar
+from typing import Any, ClassVar, Generic, TypeAlias, TypeVar
 
 import sympy
 from sympy.printing.str import StrPrinter
@@ -22,17 +22,17 @@ from osculant.cas.invariants.antiderivatives import antiderivative
 from osculant.cas.invariants.differential_field import Element
 from osculant.cas.invariants.elementary import embed
 from osculant.cas.invariants.field_forms import expression, root
-from osculant.cas.jets.plane import Invariant
+from osculant.cas.jets.jet import Invariant, Jet
 
 #: operations of an expression beyond which the form over the jet says more
 OPERATIONS = 400
 
 #: a number, a vector, a frame of vectors; None where it does not exist
 Value: TypeAlias = Any
-Jet = TypeVar("Jet")
+JetType = TypeVar("JetType", bound=Jet)
 
 
-def jet_symbols(jet_type: Callable[..., Jet], letters: str, order: int) -> Jet:
+def jet_symbols(jet_type: Callable[..., JetType], letters: str, order: int) -> JetType:
     """The generic jet, in real sympy symbols x, x1, x2 …, y, y1 ….
 
     >>> from osculant.cas.jets.plane import PlaneJet
@@ -44,55 +44,52 @@ def jet_symbols(jet_type: Callable[..., Jet], letters: str, order: int) -> Jet:
     )
 
 
-class ExactValues(Mapping[str, Value], Generic[Jet]):
-    """The invariants of a curve by name, then its arc lengths.
+class ExactValues(Mapping[str, Value], Generic[JetType]):
+    """The invariants of a curve by name, then its arc lengths; subclasses are for the plane and for space.
 
     Args:
-        coordinates: the formulas.
-        jet_type: makes a jet of one sequence of derivatives per coordinate, and of a square root.
-        order: of the jets.
-        invariants: what is computed from a jet; `Invariant.of` asks it for ``speed_squared`` and
-            ``inflection_form``.
-        lengths: integrals over the parameter, each as it is called and the name of its integrand.
+        coordinates: the formulas, one for each dimension.
         variable: name of the parameter.
-        ends: constants between which the integrals are taken; without them they are indefinite.
+        ends: constants between which the arc lengths are taken; without them they are indefinite.
 
     Values are sympy expressions in the real symbol of the parameter, tuples for vectors, tuples of them for
     frames, None for what does not exist anywhere. ``over_jets`` names the invariants that were too large to
-    be written out. Arc lengths are unevaluated integrals unless an antiderivative is evident.
+    be written out and stand in the symbols x1, y1 … of the derivatives instead. Arc lengths are unevaluated
+    integrals unless an antiderivative is evident.
 
     Raises DomainError for a formula that is nowhere defined.
     """
 
+    #: makes a jet of one sequence of derivatives per coordinate, and of a root
+    jet_type: Callable[..., JetType]
+    #: derivatives that the invariants need
+    order: ClassVar[int]
+    #: what is computed from a jet
+    invariants: ClassVar[Sequence[Invariant]]
+    #: integrals over the parameter, each as it is called and the name of its integrand
+    lengths: ClassVar[Sequence[tuple[Invariant, str]]]
+
     def __init__(
-        self,
-        coordinates: Sequence[Node],
-        jet_type: Callable[..., Jet],
-        order: int,
-        invariants: Sequence[Invariant],
-        lengths: Sequence[tuple[Invariant, str]],
-        variable: str = "t",
-        ends: tuple[Node, Node] | None = None,
+        self, *coordinates: Node, variable: str = "t", ends: tuple[Node, Node] | None = None
     ) -> None:
         self._values: dict[str, Value] = {}
-        self._jet: Jet | None = None
+        self._jet: JetType | None = None
         with suppress(UndecidedError, RecursionError):
-            self._jet = _field_jet(coordinates, jet_type, order, variable)
-        generic = jet_symbols(jet_type, "xyz"[: len(coordinates)], order)
+            self._jet = _field_jet(coordinates, self.jet_type, self.order, variable)
+        generic = jet_symbols(self.jet_type, "xyz"[: len(coordinates)], self.order)
         swollen = set()
-        for invariant in invariants:
+        for invariant in self.invariants:
             try:
                 if self._jet is None:
                     raise UndecidedError("The derivatives are too large to be written out.")
-                # of a jet it asks only for the two forms named above
-                value = mapped(_expression, invariant.of(self._jet))  # type: ignore[arg-type]
+                value = mapped(_expression, invariant.of(self._jet))
             except (UndecidedError, RecursionError):
                 swollen.add(invariant.name)
-                value = invariant.of(generic)  # type: ignore[arg-type]
+                value = invariant.of(generic)
             self._values[invariant.name] = value
         symbol = sympy.Symbol(variable, real=True)
         bounds = None if ends is None else (to_sympy(ends[0]), to_sympy(ends[1]))
-        for length, speed in lengths:
+        for length, speed in self.lengths:
             self._values[length.name] = _integral(self._values[speed], symbol, bounds, speed in swollen)
             if speed in swollen:
                 swollen.add(length.name)
@@ -133,7 +130,9 @@ class ExactValues(Mapping[str, Value], Generic[Jet]):
         return _written(self[name], sympy.latex, r"\left({}\right)")
 
 
-def _field_jet(coordinates: Sequence[Node], jet_type: Callable[..., Jet], order: int, variable: str) -> Jet:
+def _field_jet(
+    coordinates: Sequence[Node], jet_type: Callable[..., JetType], order: int, variable: str
+) -> JetType:
     """The jet in the differential field of the formulas."""
     columns = [[element] for element in embed(coordinates, variable)]
     for column in columns:

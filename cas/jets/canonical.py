@@ -103,20 +103,6 @@ def affine_graph(order: int, curvatures: Sequence[Any] | None = None) -> tuple[P
     return graph(X, Y), k
 
 
-def euclidean_graph(
-    order: int, curvatures: Sequence[Any] | None = None
-) -> tuple[PowerSeries, tuple[Any, ...]]:
-    """The Euclidean canonical form: y(x) where the curve is γ(0) + x·T₀ + y(x)·N₀.
-
-    Arguments and errors are those of `euclidean_arc`. Returns (y, (κ₀, κ₁, …)).
-
-    >>> euclidean_graph(4)[0]
-    PowerSeries([0, 0, 1/2*kappa0, 1/6*kappa1, 1/8*kappa0^3 + 1/24*kappa2])
-    """
-    X, Y, kappa = euclidean_arc(order, curvatures)
-    return graph(X, Y), kappa
-
-
 def series_of_derivatives(derivatives: Sequence[Any]) -> PowerSeries:
     """Taylor's series of a function from its derivatives at 0, not divided by factorials.
 

@@ -9,54 +9,22 @@ determinant and D = [12] everything is a rational function of the jet, of the sp
 * dk/dr = m/(27D⁴) with m = 3ṅD − 8nḊ, where Ḋ = [13];
 * canonical form y = x²/2 + kx⁴/8 + (dk/dr)x⁵/40 + O(x⁶) in the affine frame             (Lemma 2.2.2).
 
-`osculant.cas.derivations.affine` derives these forms from the definitions; the tests hold the two together.
+`osculant.cas.jets.derivations.affine` derives these forms from the definitions; the tests hold the two
+together.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any
+
+from osculant.cas.jets.jet import Invariant, Jet, Root, natural_power, real_root
 
 Vector = tuple[Any, Any]
-Root = Callable[[Any, int], Any]
 
 
-def real_root(value: Any, degree: int) -> Any:
-    """The real square root (degree 2) or the real cube root (degree 3), in the kind of number of the value.
-
-    Floats, mpmath numbers and python-flint balls; integers become floats, sympy expressions stay exact. The
-    cube root of a negative number is negative; the square root of one is the number system's own affair.
-
-    >>> real_root(-8.0, 3), real_root(9, 2)
-    (-2.0, 3.0)
-    """
-    if isinstance(value, (int, float)):
-        return math.sqrt(value) if degree == 2 else math.cbrt(value)
-    library = type(value).__module__.partition(".")[0]
-    if library in {"mpmath", "flint"}:
-        from osculant.cas.numbers.fields import Balls, Multiprecision
-
-        field = Balls() if library == "flint" else Multiprecision()
-        return field.function("sqrt" if degree == 2 else "cbrt")(value)
-    import sympy
-
-    from osculant.cas.formulas.sympy_bridge import cbrt
-
-    return sympy.sqrt(value) if degree == 2 else cbrt(value)
-
-
-def _power(value: Any, exponent: int) -> Any:
-    """A product, since a ball around 0 has no `**`: flint takes it for exp(n log x)."""
-    result = value
-    for _ in range(exponent - 1):
-        result = result * value
-    return result
-
-
-class PlaneJet:
+class PlaneJet(Jet):
     """A plane curve's derivatives at one parameter value, and the invariants there.
 
     Args:
@@ -65,8 +33,8 @@ class PlaneJet:
         y: the same of the second coordinate.
         root: ``root(value, degree)``, the real square and cube root of such numbers.
 
-    An invariant needs the derivatives up to its own order only: κ 2, k 4, dk/dr 5. Nothing is checked: at a
-    cusp (speed 0) and at an inflection (D = 0) the division by zero is the number system's own affair.
+    An invariant needs the derivatives up to its own order only: κ 2, k 4, dk/dr 5. Errors are those of `Jet`:
+    missing derivatives, and, if the numbers refuse to be divided by zero, cusps (speed 0) and inflections.
 
     >>> circle = PlaneJet((2.0, 0.0, -2.0, 0.0, 2.0, 0.0), (0.0, 2.0, 0.0, -2.0, 0.0, 2.0))
     >>> circle.speed, circle.curvature, circle.evolute, circle.affine_curvature_slope
@@ -74,26 +42,15 @@ class PlaneJet:
     """
 
     def __init__(self, x: Sequence[Any], y: Sequence[Any], root: Root = real_root) -> None:
-        self.x, self.y, self.root = tuple(x), tuple(y), root
-
-    def point(self, order: int) -> Vector:
-        """The derivative of that order, (xᵢ, yᵢ)."""
-        return self.x[order], self.y[order]
+        super().__init__((x, y), root)
+        self.x, self.y = self.coordinates
 
     def bracket(self, i: int, j: int) -> Any:
         """[ij] = xᵢyⱼ − yᵢxⱼ."""
+        self._need(i, j)
         return self.x[i] * self.y[j] - self.y[i] * self.x[j]
 
-    def dot(self, i: int, j: int) -> Any:
-        """⟨ij⟩ = xᵢxⱼ + yᵢyⱼ."""
-        return self.x[i] * self.x[j] + self.y[i] * self.y[j]
-
     # Forms whose zeros are the special points; `…_rate` is the derivative by the parameter.
-
-    @cached_property
-    def speed_squared(self) -> Any:
-        """|α̇|² = ⟨11⟩: zero exactly at cusps and other singular points."""
-        return self.dot(1, 1)
 
     @cached_property
     def inflection_form(self) -> Any:
@@ -113,7 +70,7 @@ class PlaneJet:
     def parabolic_form(self) -> Any:
         """n = 3D(4[23] + [14]) − 5Ḋ² = 9φ⁸k: zero exactly where k = 0, given D ≠ 0."""
         mixed = 4 * self.bracket(2, 3) + self.bracket(1, 4)
-        return 3 * self.inflection_form * mixed - 5 * _power(self.inflection_rate, 2)
+        return 3 * self.inflection_form * mixed - 5 * natural_power(self.inflection_rate, 2)
 
     @cached_property
     def parabolic_rate(self) -> Any:
@@ -130,14 +87,9 @@ class PlaneJet:
     # Euclidean invariants.
 
     @cached_property
-    def speed(self) -> Any:
-        """ds/dt = |α̇|."""
-        return self.root(self.speed_squared, 2)
-
-    @cached_property
     def curvature(self) -> Any:
         """κ = D/|α̇|³, positive where the curve turns left."""
-        return self.inflection_form / (self.speed_squared * self.speed)
+        return self._ratio(self.inflection_form, self.speed_squared * self.speed)
 
     @cached_property
     def curvature_slope_form(self) -> Any:
@@ -147,7 +99,7 @@ class PlaneJet:
     @cached_property
     def curvature_slope(self) -> Any:
         """κ′ = dκ/ds = (Ḋ|α̇|² − 3D⟨12⟩)/|α̇|⁶."""
-        return self.curvature_slope_form / _power(self.speed_squared, 3)
+        return self._ratio(self.curvature_slope_form, natural_power(self.speed_squared, 3))
 
     @cached_property
     def curvature_bend(self) -> Any:
@@ -158,12 +110,12 @@ class PlaneJet:
             - 3 * self.inflection_form * (self.dot(2, 2) + self.dot(1, 3))
         )
         form = rate * self.speed_squared - 6 * self.dot(1, 2) * self.curvature_slope_form
-        return form / (_power(self.speed_squared, 4) * self.speed)
+        return self._ratio(form, natural_power(self.speed_squared, 4) * self.speed)
 
     @cached_property
     def evolute(self) -> Vector:
         """The centre of curvature α + N/κ; needs the point itself."""
-        radius = self.speed_squared / self.inflection_form
+        radius = self._ratio(self.speed_squared, self.inflection_form)
         return self.x[0] - self.y[1] * radius, self.y[0] + self.x[1] * radius
 
     # Equi-affine invariants.
@@ -176,27 +128,28 @@ class PlaneJet:
     @cached_property
     def affine_tangent(self) -> Vector:
         """t = dα/dr = α̇/φ."""
-        return self.x[1] / self.affine_speed, self.y[1] / self.affine_speed
+        return self._ratio(self.x[1], self.affine_speed), self._ratio(self.y[1], self.affine_speed)
 
     @cached_property
     def affine_normal(self) -> Vector:
         """n = dt/dr = (3Dα̈ − Ḋα̇)/(3Dφ²)."""
         slope, scale = self.inflection_rate, 3 * self.inflection_form
-        below = scale * _power(self.affine_speed, 2)
+        below = scale * natural_power(self.affine_speed, 2)
         return (
-            (scale * self.x[2] - slope * self.x[1]) / below,
-            (scale * self.y[2] - slope * self.y[1]) / below,
+            self._ratio(scale * self.x[2] - slope * self.x[1], below),
+            self._ratio(scale * self.y[2] - slope * self.y[1], below),
         )
 
     @cached_property
     def affine_curvature(self) -> Any:
         """k = n/(9φ⁸), (2.12)."""
-        return self.parabolic_form / (9 * _power(self.inflection_form, 2) * _power(self.affine_speed, 2))
+        below = 9 * natural_power(self.inflection_form, 2) * natural_power(self.affine_speed, 2)
+        return self._ratio(self.parabolic_form, below)
 
     @cached_property
     def affine_curvature_slope(self) -> Any:
         """dk/dr = m/(27D⁴): rational in the jet."""
-        return self.sextactic_form / (27 * _power(self.inflection_form, 4))
+        return self._ratio(self.sextactic_form, 27 * natural_power(self.inflection_form, 4))
 
     @cached_property
     def canonical_form(self) -> Vector:
@@ -204,27 +157,7 @@ class PlaneJet:
         return self.affine_curvature / 8, self.affine_curvature_slope / 40
 
 
-@dataclass(frozen=True)
-class Invariant:
-    """How an invariant of `PlaneJet` is called and where it exists.
-
-    name: of the attribute; title: in words; latex: its symbol; text: the symbol without LaTeX;
-    exists: on regular points, or only where also κ ≠ 0, or everywhere.
-    """
-
-    name: str
-    title: str
-    text: str
-    latex: str
-    exists: Literal["everywhere", "regular", "curved"]
-
-    def of(self, jet: PlaneJet) -> Any:
-        """The value at the jet, a pair for a vector; None where it does not exist (an exact zero below)."""
-        singular = self.exists != "everywhere" and jet.speed_squared == 0
-        straight = self.exists == "curved" and jet.inflection_form == 0
-        return None if singular or straight else getattr(jet, self.name)
-
-
+#: the invariants of `PlaneJet` in the order in which they are printed
 INVARIANTS = (
     Invariant("speed", "speed", "ds/dt", r"\frac{ds}{dt}", "everywhere"),
     Invariant("curvature", "curvature", "kappa", r"\kappa", "regular"),
@@ -246,18 +179,3 @@ INVARIANTS = (
         "curved",
     ),
 )
-
-
-def invariants_at(x: Sequence[Any], y: Sequence[Any], root: Root = real_root) -> dict[str, Any]:
-    """All invariants of `INVARIANTS` by name, from derivatives 0…5 as in `PlaneJet`; None where undefined.
-
-    Vectors and the canonical form's coefficients (of x⁴ and x⁵) are pairs.
-
-    >>> values = invariants_at((0.0, 1.0, 0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0, 3.0, 0.0))
-    >>> values["curvature"], values["affine_curvature"], values["canonical_form"]
-    (1.0, 1.0, (0.125, 0.0))
-    >>> invariants_at((0, 1, 0, 0, 0, 0), (0, 0, 0, 6, 0, 0))["affine_curvature"] is None
-    True
-    """
-    jet = PlaneJet(x, y, root)
-    return {invariant.name: invariant.of(jet) for invariant in INVARIANTS}

@@ -21,85 +21,13 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
-from osculant.cas.errors import DomainError
-from osculant.cas.jets.plane import Root, real_root
+from osculant.cas.jets.jet import Invariant, Jet, Root, real_root
+from osculant.cas.numbers.vectors import Vector3, add, cross, det, dot, scale
 
-Vector3 = tuple[Any, Any, Any]
 Frame = tuple[Vector3, Vector3, Vector3]
 
 
-def _in_space(*vectors: Sequence[Any]) -> None:
-    """Refuse what has not three coordinates."""
-    for vector in vectors:
-        if len(vector) != 3:
-            raise DomainError(f"A vector of space has three coordinates, but {vector} has {len(vector)}.")
-
-
-def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
-    """⟨a, b⟩ of two vectors of three numbers; like all functions here, raises DomainError for other vectors.
-
-    >>> dot((1, 2, 3), (4, 5, 6))
-    32
-    """
-    _in_space(a, b)
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Sequence[Any], b: Sequence[Any]) -> Vector3:
-    """a × b.
-
-    >>> cross((1, 0, 0), (0, 1, 0))
-    (0, 0, 1)
-    """
-    _in_space(a, b)
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def det(a: Sequence[Any], b: Sequence[Any], c: Sequence[Any]) -> Any:
-    """The determinant ⟨a × b, c⟩, positive for a positively oriented triple.
-
-    >>> det((1, 0, 0), (0, 1, 0), (5, 5, 2))
-    2
-    """
-    return dot(cross(a, b), c)
-
-
-def scale(factor: Any, a: Sequence[Any]) -> Vector3:
-    """factor·a.
-
-    >>> scale(2, (1, 2, 3))
-    (2, 4, 6)
-    """
-    _in_space(a)
-    return factor * a[0], factor * a[1], factor * a[2]
-
-
-def add(*vectors: Sequence[Any]) -> Vector3:
-    """The sum of one or more vectors.
-
-    >>> add((1, 2, 3), (4, 5, 6), (0, 0, 1))
-    (5, 7, 10)
-    """
-    if not vectors:
-        raise DomainError("A sum of no vectors has no kind of number: give at least one vector.")
-    _in_space(*vectors)
-    x, y, z = vectors[0]
-    for a in vectors[1:]:
-        x, y, z = x + a[0], y + a[1], z + a[2]
-    return x, y, z
-
-
-def subtract(a: Sequence[Any], b: Sequence[Any]) -> Vector3:
-    """a − b.
-
-    >>> subtract((4, 5, 6), (1, 2, 3))
-    (3, 3, 3)
-    """
-    _in_space(a, b)
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-class SpaceJet:
+class SpaceJet(Jet):
     """A space curve's derivatives at one parameter value, and the invariants there.
 
     Args:
@@ -109,10 +37,9 @@ class SpaceJet:
         z: the same of the third.
         root: ``root(value, 2)``, the square root of such numbers.
 
-    An invariant needs the derivatives up to its own order only: κ 2, τ and κ′ 3, τ′ and γ 4; it raises
-    DomainError if they are not there, as does a jet whose coordinates have unequal orders. At a cusp
-    (speed 0) and where κ = 0 it raises DomainError if the numbers refuse to be divided by zero, as rationals
-    and floats do; sympy and balls have values of their own for that.
+    An invariant needs the derivatives up to its own order only: κ 2, τ and κ′ 3, τ′ and γ 4. Errors are
+    those of `Jet`: missing derivatives, and, if the numbers refuse to be divided by zero, cusps (speed 0) and
+    points where κ = 0.
 
     Torsion has the usual sign, opposite to the thesis's: see the top of this module.
 
@@ -122,57 +49,21 @@ class SpaceJet:
     """
 
     def __init__(self, x: Sequence[Any], y: Sequence[Any], z: Sequence[Any], root: Root = real_root) -> None:
-        self.x, self.y, self.z, self.root = tuple(x), tuple(y), tuple(z), root
-        orders = [len(coordinate) - 1 for coordinate in (self.x, self.y, self.z)]
-        if len(set(orders)) > 1:
-            found = ", ".join(map(str, orders))
-            raise DomainError(f"The coordinates of a jet have one order, not {found}: cut or extend them.")
+        super().__init__((x, y, z), root)
+        self.x, self.y, self.z = self.coordinates
 
-    def _need(self, *orders: int) -> None:
-        """Refuse derivatives that the jet does not have."""
-        known = len(self.x) - 1
-        if max(orders) > known:
-            raise DomainError(
-                f"The jet has order {known}, and the derivative of order {max(orders)} is needed: add it."
-            )
-
-    def _ratio(self, above: Any, below: Any) -> Any:
-        """A quotient; where the denominator is 0 the message says of the curve what that means."""
-        try:
-            return above / below
-        except ZeroDivisionError:
-            reason = "speed is 0, so the curve is singular" if self.speed_squared == 0 else "curvature is 0"
-            raise DomainError(f"An invariant does not exist here: the {reason}.") from None
-
-    def _divided(self, a: Vector3, below: Any) -> Vector3:
+    def _divided(self, a: Sequence[Any], below: Any) -> Vector3:
         return self._ratio(a[0], below), self._ratio(a[1], below), self._ratio(a[2], below)
-
-    def point(self, order: int) -> Vector3:
-        """The derivative of that order, (xᵢ, yᵢ, zᵢ)."""
-        self._need(order)
-        return self.x[order], self.y[order], self.z[order]
-
-    def dot(self, i: int, j: int) -> Any:
-        """⟨ij⟩ = ⟨α⁽ⁱ⁾, α⁽ʲ⁾⟩."""
-        self._need(i, j)
-        return dot(self.point(i), self.point(j))
 
     def cross(self, i: int, j: int) -> Vector3:
         """α⁽ⁱ⁾ × α⁽ʲ⁾."""
-        self._need(i, j)
         return cross(self.point(i), self.point(j))
 
     def det(self, i: int, j: int, k: int) -> Any:
         """The determinant [ijk] of α⁽ⁱ⁾, α⁽ʲ⁾, α⁽ᵏ⁾."""
-        self._need(i, j, k)
         return det(self.point(i), self.point(j), self.point(k))
 
     # Forms whose zeros are the special points; `…_rate` is the derivative by the parameter.
-
-    @cached_property
-    def speed_squared(self) -> Any:
-        """|α̇|² = ⟨11⟩: zero exactly at cusps and other singular points."""
-        return self.dot(1, 1)
 
     @cached_property
     def _speed_rate(self) -> Any:
@@ -185,7 +76,6 @@ class SpaceJet:
 
     @cached_property
     def _inflection_rate(self) -> Any:
-        self._need(3)
         return dot(self.cross(1, 2), self.cross(1, 3))  # half the derivative of |c|²
 
     @cached_property
@@ -211,11 +101,6 @@ class SpaceJet:
         return self.torsion_rate * self.speed_squared * self.inflection_form + 3 * self.torsion_form * mixed
 
     # Euclidean invariants.
-
-    @cached_property
-    def speed(self) -> Any:
-        """ds/dt = |α̇|."""
-        return self.root(self.speed_squared, 2)
 
     @cached_property
     def _bend(self) -> Any:
@@ -298,3 +183,20 @@ class SpaceJet:
         """γ in V′ = γW, that is −(τ/κ)′/(1 + (τ/κ)²), zero all along a generalised helix."""
         slope, ratio = self.ratio_slope, self._ratio(self.torsion, self.curvature)
         return -slope / (1 + ratio * ratio)
+
+
+#: the invariants of `SpaceJet` in the order in which they are printed; torsion has the usual sign
+SPACE_INVARIANTS = (
+    Invariant("speed", "speed", "ds/dt", r"\frac{ds}{dt}", "everywhere"),
+    Invariant("curvature", "curvature", "kappa", r"\kappa", "regular"),
+    Invariant("torsion", "torsion", "tau", r"\tau", "curved"),
+    Invariant("curvature_slope", "derivative of the curvature", "dkappa/ds", r"\frac{d\kappa}{ds}", "curved"),
+    Invariant("torsion_slope", "derivative of the torsion", "dtau/ds", r"\frac{d\tau}{ds}", "curved"),
+    Invariant("tangent", "tangent", "T", "T", "regular"),
+    Invariant("normal", "principal normal", "N", "N", "curved"),
+    Invariant("binormal", "binormal", "B", "B", "curved"),
+    Invariant("darboux_vector", "Darboux vector", "tau T + kappa B", r"\tau T + \kappa B", "curved"),
+    Invariant("frame_rate", "its length", "beta", r"\beta", "curved"),
+    Invariant("darboux_frame", "Darboux frame", "(N, W, V)", "(N, W, V)", "curved"),
+    Invariant("axis_rate", "rate of V", "gamma", r"\gamma", "curved"),
+)

@@ -1,7 +1,7 @@
 """Divided differences with nodes that may coincide, and the Newton development (thesis A.1).
 
-A function enters as a `Taylor`: the coefficients f⁽ʲ⁾(x)/j! at any node, which Hermite data, a sympy
-expression and a formula provide; polynomials have a way of their own, without any division
+A function enters as a `Taylor`: the coefficients f⁽ʲ⁾(x)/j! at any node, which Hermite data
+provide; polynomials have a way of their own, without any division
 (`osculant.cas.numbers.division`). Nodes and values are numbers of one kind: rationals, floats, mpmath
 numbers, balls, sympy expressions, elements of a fraction field. Different symbols stand for different nodes.
 """
@@ -22,8 +22,7 @@ from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.numbers.power_series import ratio
 
 if TYPE_CHECKING:
-    from osculant.cas.formulas.expression import Node
-    from osculant.cas.numbers.taylor import Field
+    pass
 
 #: ``f(node, order)`` is the Taylor coefficient f⁽ᵒʳᵈᵉʳ⁾(node)/order!
 Taylor = Callable[[Any, int], Any]
@@ -127,41 +126,6 @@ def hermite_data(pairs: Iterable[tuple[Any, Sequence[Any]]]) -> Taylor:
     return coefficient
 
 
-def of_expression(expression: sp.Expr, symbol: sp.Symbol) -> Taylor:
-    """A sympy expression as a function of one of its symbols; raises DomainError at a node that is a pole.
-
-    >>> x, a = sp.symbols("x a", positive=True)
-    >>> divided_difference(of_expression(1 / x, x), [a, a, a])
-    a**(-3)
-    """
-
-    def coefficient(node: Any, order: int) -> Any:
-        value = sp.diff(expression, symbol, order).subs(symbol, node) / factorial(order)
-        if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
-            raise DomainError(f"{expression} has no derivative of order {order} at the node {node}.")
-        return value
-
-    return coefficient
-
-
-def of_formula(formula: Node, field: Field, variable: str = "t") -> Taylor:
-    """A parsed formula as a function over a field of numbers, by Taylor arithmetic.
-
-    >>> from osculant.cas.numbers.fields import Rationals
-    >>> from osculant.cas.formulas.parser import parse
-    >>> square = of_formula(parse("t**2", ("t",)), Rationals())
-    >>> [int(divided_difference(square, nodes)) for nodes in ([1, 3], [3, 3], [5, 3, 5])]
-    [4, 6, 1]
-    """
-    from osculant.cas.numbers.taylor import program
-
-    def coefficient(node: Any, order: int) -> Any:
-        value = program([formula], order, variable, normalised=True).run(node, field)[0][order]
-        return exact(value)
-
-    return coefficient
-
-
 @dataclass(frozen=True)
 class NewtonForm:
     """The polynomial Σ cₖ (x − x₀) … (x − xₖ₋₁), which interpolates at x₀ … xₙ (A.1).
@@ -207,9 +171,9 @@ def newton(function: Taylor, nodes: Sequence[Any]) -> NewtonForm:
     Raises DomainError without nodes, for nodes that cannot be compared, and where the function does not know
     the derivatives that a node's multiplicity needs; UndecidedError where two nodes may be equal or not.
 
-    >>> x = sp.Symbol("x")
-    >>> newton(of_expression(x**3, x), [0, 1, 1, 0]).coefficients
-    (0, 1, 2, 1)
+    >>> cube = hermite_data([(0, (0, 0)), (1, (1, 3))])
+    >>> [str(c) for c in newton(cube, [0, 1, 1, 0]).coefficients]
+    ['0', '1', '2', '1']
     """
     places, groups = _grouped(nodes)
     known: dict[tuple[int, ...], Any] = {}

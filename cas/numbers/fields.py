@@ -1,36 +1,34 @@
-"""Fields of numbers that Taylor programs run on: rationals, mpmath floats, balls, exact sympy numbers."""
+"""Fields of numbers that Taylor programs run on: doubles, mpmath floats, balls, exact sympy numbers."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import Any, Protocol
 
 from osculant.cas.errors import DomainError
 
 
-class Rationals:
-    """Exact rational numbers: polynomials and rational functions only.
+class Field(Protocol):
+    """Numbers a program runs on: constructors and the elementary functions of one argument.
 
-    >>> Rationals().number(Fraction(1, 3))
-    Fraction(1, 3)
+    ``function(name)`` gives an elementary function of formulas, or ``sign``, which is NaN at 0;
+    ``power(x, q)`` is x**q for a rational q and x > 0.  Out of their domain functions give NaN or raise, as
+    the field prefers.
     """
 
-    def number(self, value: Fraction) -> Fraction:
-        """The rational itself."""
-        return value
+    def number(self, value: Fraction) -> Any:
+        """The number of the field that a rational is."""
 
-    def constant(self, name: str) -> Fraction:
-        """Raises DomainError: pi and e are not rational."""
-        raise DomainError(f"{name} is not a rational number.")
+    def constant(self, name: str) -> Any:
+        """pi or e."""
 
-    def function(self, name: str) -> Callable[[Fraction], Fraction]:
-        """Raises DomainError: no elementary function is rational."""
-        raise DomainError(f"{name} does not map rational numbers to rational numbers.")
+    def function(self, name: str) -> Callable[[Any], Any]:
+        """An elementary function by its name."""
 
-    def power(self, base: Fraction, exponent: Fraction) -> Fraction:
-        """Raises DomainError: roots are not rational."""
-        raise DomainError(f"A power with exponent {exponent} is not a rational number.")
+    def power(self, base: Any, exponent: Fraction) -> Any:
+        """base**exponent for base > 0."""
 
 
 class Balls:
@@ -93,6 +91,42 @@ class Balls:
         if x > 0 or x < 0:
             return self._arb(1 if x > 0 else -1)
         return self._arb.nan()
+
+
+class ComplexBalls:
+    """python-flint's complex balls: formulas continued off the real line, to integrate."""
+
+    def __init__(self) -> None:
+        from flint import acb, arb
+
+        self._acb, self._arb = acb, arb
+
+    def number(self, value: Fraction) -> Any:
+        """The ball of a rational number.
+
+        >>> ComplexBalls().number(Fraction(1, 2))
+        0.500000000000000
+        """
+        return self._acb(self._arb(value.numerator) / value.denominator)
+
+    def constant(self, name: str) -> Any:
+        """pi or e."""
+        return self._acb(self._arb.pi() if name == "pi" else self._arb.const_e())
+
+    def function(self, name: str) -> Callable[[Any], Any]:
+        """An entire or meromorphic elementary function; DomainError for those with branches."""
+        if name not in {"sin", "cos", "tan", "sinh", "cosh", "tanh", "exp"}:
+            raise DomainError(
+                f"{name} has branches in the complex plane: its integral is not certified here."
+            )
+        function: Callable[[Any], Any] = getattr(self._acb, name)
+        return function
+
+    def power(self, base: Any, exponent: Fraction) -> Any:
+        """Raises DomainError: roots have branches."""
+        raise DomainError(
+            f"The power {exponent} has branches in the complex plane: write the formula without."
+        )
 
 
 class Multiprecision:
@@ -163,3 +197,55 @@ class ExactNumbers:
     def power(self, base: Any, exponent: Fraction) -> Any:
         """base**exponent."""
         return base ** self.number(exponent)
+
+
+class Doubles:
+    """Python's floats."""
+
+    def number(self, value: Fraction) -> float:
+        """The nearest float.
+
+        >>> Doubles().number(Fraction(1, 4))
+        0.25
+        """
+        return float(value)
+
+    def constant(self, name: str) -> float:
+        """pi or e to 53 bits."""
+        return math.pi if name == "pi" else math.e
+
+    def function(self, name: str) -> Callable[[float], float]:
+        """Python's function."""
+        if name == "sign":
+            return lambda x: math.copysign(1.0, x) if x else math.nan
+        function: Callable[[float], float] = getattr(math, name)
+        return function
+
+    def power(self, base: float, exponent: Fraction) -> float:
+        """base**exponent."""
+        return math.pow(base, float(exponent))
+
+
+class Expressions(ExactNumbers):
+    """sympy expressions with real symbols; cube roots are `osculant.cas.formulas.sympy_bridge.cbrt`."""
+
+    def function(self, name: str) -> Callable[[Any], Any]:
+        """sympy's function; real cube roots stay real, whatever the sign of what is below them."""
+        if name != "cbrt":
+            return super().function(name)
+        from osculant.cas.formulas.sympy_bridge import cbrt
+
+        return cbrt
+
+
+def field_of(value: Any) -> Field:
+    """The field of numbers that a number belongs to; sympy's expressions if it is none of the others.
+
+    >>> field_of(2.0).function("sqrt")(9.0)
+    3.0
+    """
+    if isinstance(value, (int, float)):
+        return Doubles()
+    library = type(value).__module__.partition(".")[0]
+    fields: dict[str, Callable[[], Field]] = {"flint": Balls, "mpmath": Multiprecision}
+    return fields.get(library, Expressions)()

@@ -12,38 +12,11 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any
 
 from osculant.cas.formulas.expression import Node
+from osculant.cas.numbers.fields import Field
 from osculant.cas.numbers.recurrences import Instruction, write
-
-
-class Field(Protocol):
-    """Numbers a program runs on: constructors and the elementary functions of one argument.
-
-    ``function(name)`` gives the function of that name among `CALLS`; ``power(x, q)`` is x**q for a
-    rational q and x > 0.  Out of their domain functions give NaN or raise, as the field prefers.
-    """
-
-    def number(self, value: Fraction) -> Any:
-        """The number of the field that a rational is."""
-
-    def constant(self, name: str) -> Any:
-        """pi or e."""
-
-    def function(self, name: str) -> Callable[[Any], Any]:
-        """An elementary function by its name."""
-
-    def power(self, base: Any, exponent: Fraction) -> Any:
-        """base**exponent for base > 0."""
-
-
-#: elementary functions that instructions may call; ``sign`` is NaN at 0
-CALLS = (
-    *("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"),
-    *("asinh", "acosh", "atanh", "exp", "log", "sqrt", "cbrt", "sign"),
-)
 
 
 @dataclass(frozen=True)
@@ -60,11 +33,10 @@ class Program:
         """The derivatives of all formulas at ``at``, a number of the field.
 
         >>> from osculant.cas.formulas.expression import variable
-        >>> from osculant.cas.numbers.fields import Rationals
+        >>> from osculant.cas.numbers.fields import Doubles
         >>> t = variable("t")
-        >>> [cube] = program([t**3], 3).run(Fraction(2), Rationals())
-        >>> [int(derivative) for derivative in cube]
-        [8, 12, 12, 6]
+        >>> program([t**3], 3).run(2.0, Doubles())
+        [[8.0, 12.0, 12.0, 6.0]]
         """
         values = self.trace(at, field)
         return [[values[index] for index in output] for output in self.outputs]

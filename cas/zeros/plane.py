@@ -11,15 +11,11 @@ undecided.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping
 
-from osculant.cas.formulas.expression import Node
 from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint, ZeroForm
-
-__all__ = ["FORMS", "SpecialPoint", "require_finite", "special_points", "vanishes"]
+from osculant.cas.zeros.form_zeros import FormZeros, ZeroForm
 
 #: what splits a spline
 FORMS: Mapping[str, ZeroForm[PlaneJet]] = {
@@ -31,29 +27,13 @@ FORMS: Mapping[str, ZeroForm[PlaneJet]] = {
 }
 
 
-def vanishes(curve: CurveBalls, name: str, low: Any, high: Any) -> bool:
-    """Whether a form seems to vanish identically: its balls contain 0 at every probe, to 600 digits.
-
-    False is a proof; True asks for a symbolic one.
-    """
-    return FormZeros(curve, FORMS).vanishes(name, low, high)
-
-
-def require_finite(curve: CurveBalls, low: Node, high: Node) -> None:
-    """Raises DomainError, naming the parameter value, unless the derivatives are finite on [low, high]."""
-    FormZeros(curve, FORMS).require_finite(low, high, tuple(FORMS))
-
-
-def special_points(curve: CurveBalls, low: Node, high: Node, names: Sequence[str]) -> list[SpecialPoint]:
-    """The special points of the given kinds inside [low, high], in order, merged where they coincide.
-
-    Points at the ends are reported too (their frames are limits).  The curve has to be finite there:
-    see `require_finite`.
+def zeros(curve: CurveBalls) -> FormZeros[PlaneJet]:
+    """The zeros of `FORMS` along a curve; those at the ends count too (their frames are limits).
 
     >>> from osculant.cas.formulas.parser import parse_constant, parse_tuple
-    >>> cubic = CurveBalls(parse_tuple("t, t^3"))
-    >>> [point] = special_points(cubic, parse_constant("-1"), parse_constant("2"), ["cusp", "inflection"])
+    >>> cubic, ends = CurveBalls(parse_tuple("t, t^3")), map(parse_constant, ("-1", "2"))
+    >>> [point] = zeros(cubic).within(*ends, ["cusp", "inflection"])
     >>> sorted(point.kinds), abs(point.at) < 1e-30
     (['inflection'], True)
     """
-    return FormZeros(curve, FORMS).within(low, high, names)
+    return FormZeros(curve, FORMS)

@@ -36,27 +36,14 @@ FORMS: Mapping[str, ZeroForm[SpaceJet]] = {
 
 
 def zeros(curve: SpaceBalls) -> FormZeros[SpaceJet]:
-    """The zeros of `FORMS` along a curve."""
-    return FormZeros(curve, FORMS)
+    """The zeros of `FORMS` along a curve.
 
-
-def vanishes(curve: SpaceBalls, name: str, low: Any, high: Any) -> bool:
-    """Whether a form of `FORMS` seems to vanish identically on [low, high] (balls), to 600 digits.
-
-    False is a proof; True asks for a symbolic one.
-
-    >>> from flint import arb
     >>> from osculant.cas.formulas.parser import parse_tuple
-    >>> helix = SpaceBalls(parse_tuple("3*cos(t), 3*sin(t), 4*t"))
-    >>> [vanishes(helix, name, arb(0), arb(1)) for name in ("inflection", "vertex", "planar", "slope")]
+    >>> helix = zeros(SpaceBalls(parse_tuple("3*cos(t), 3*sin(t), 4*t")))
+    >>> [helix.vanishes(name, arb(0), arb(1)) for name in ("inflection", "vertex", "planar", "slope")]
     [False, True, False, True]
     """
-    return zeros(curve).vanishes(name, low, high)
-
-
-def require_finite(curve: SpaceBalls, low: Node, high: Node) -> None:
-    """Raises DomainError, naming the parameter value, unless the curve has finite series on [low, high]."""
-    zeros(curve).require_finite(low, high, ["vertex"])
+    return FormZeros(curve, FORMS)
 
 
 def special_points(
@@ -65,7 +52,7 @@ def special_points(
     """The special points of the given kinds in [low, high], in order, merged where they coincide.
 
     Args:
-        curve: finite on the interval, see `require_finite`.
+        curve: finite on the interval, see `FormZeros.require_finite`.
         low: first end, a constant formula.
         high: last end.
         names: among "cusp", "inflection" (κ = 0) and "vertex" (κ′ = 0); forms that vanish identically

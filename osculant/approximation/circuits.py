@@ -90,11 +90,11 @@ class Circuit:
 
         def greedy_error(start: float) -> float:
             low, high = first.error / WITHIN, first.error * WITHIN
-            if not self.within(high, start, count) >= start + self.period:
+            if not self.end_within(high, start, count) >= start + self.period:
                 return math.inf
             while high > low * (1 + SHARP):
                 level = math.sqrt(low * high)
-                if self.within(level, start, count) >= start + self.period:
+                if self.end_within(level, start, count) >= start + self.period:
                     high = level
                 else:
                     low = level
@@ -109,7 +109,9 @@ class Circuit:
     def start_within(self, tolerance: float, count: int) -> tuple[float | None, bool]:
         """A start from which so many pieces within the tolerance go round: `start_within` there."""
         beyond = partial(self._beyond, tolerance)
-        found, decided = start_within(partial(self.within, tolerance), beyond, self.low, self.period, count)
+        found, decided = start_within(
+            partial(self.end_within, tolerance), beyond, self.low, self.period, count
+        )
         if found is not None or not self.division.unsplit:
             return found, decided
         best = self.best_start(count)
@@ -124,7 +126,7 @@ class Circuit:
         """The error of so many pieces once round from a start, as equal as they can be."""
         return equalise(self.arcs_from(start), count).error
 
-    def within(self, tolerance: float, start: float, count: int) -> float:
+    def end_within(self, tolerance: float, start: float, count: int) -> float:
         """Where so many greedy pieces from a start end whose errors are within the tolerance."""
         end = self._end(start, *window(tolerance, self._rounding), count)
         return start if end is None else end

@@ -111,7 +111,7 @@ def best_start(
 
 
 def start_within(
-    within: Callable[[float, int], float],
+    end_within: Callable[[float, int], float],
     beyond: Callable[[float, int], float],
     low: float,
     period: float,
@@ -121,7 +121,7 @@ def start_within(
     """A start from which so many pieces within a tolerance go once round.
 
     Args:
-        within: (start, number of pieces) → where greedy pieces end, their errors within the tolerance.
+        end_within: (start, number of pieces) → where greedy pieces end, their errors within the tolerance.
         beyond: the same for errors no smaller than the tolerance: at least where the longest ones end.
         low: any start.
         period: T.
@@ -140,7 +140,7 @@ def start_within(
 
     def missing(at: float) -> float:
         at = _wrapped(at, low, period)
-        return period + at - within(at, count)
+        return period + at - end_within(at, count)
 
     if count < 1:
         return None, True

@@ -24,8 +24,20 @@ from osculant.cli.output import Waiting, announce_compiling, print_json
 from osculant.cli.splines import print_spline
 from osculant.files.registry import WRITERS, writers
 from osculant.files.writing import listed
+from osculant.primitives.table import METRICS, PRIMITIVES
 
 FORMATS = [f"{writer.name} ({listed(writer.suffixes, 'or')})" for writer in WRITERS]
+
+
+def _rules() -> str:
+    """Where there are several rules to choose from, in words."""
+    found = []
+    for primitive in (entry for table in PRIMITIVES.values() for entry in table.values()):
+        for metric in METRICS:
+            if len(rules := primitive.rules(metric)) > 1:
+                where = "" if metric == METRICS[0] else f"with --metric {metric} "
+                found.append(f"{where}for {primitive.plural} {' or '.join(rules)}")
+    return "; ".join(found)
 
 
 def _takers(option: str) -> str:
@@ -52,8 +64,7 @@ Rule = Annotated[
     typer.Option(
         "--rule",
         metavar="NAME",
-        help="How a piece is chosen: with --metric area for conics equisymmetric or minimal-area; for "
-        "bihelices equioscillating or thesis.",
+        help=f"How a piece is chosen: {_rules()}.",
     ),
 ]
 Closed = Annotated[

@@ -135,7 +135,8 @@ def all_invariants(dimension: int) -> list[Any]:
     ['speed', 'curvature', 'torsion']
     """
     if dimension == 3:
-        from osculant.cas.invariants.space import SPACE_INVARIANTS, SPACE_LENGTHS
+        from osculant.cas.invariants.space import SPACE_LENGTHS
+        from osculant.cas.jets.space import SPACE_INVARIANTS
 
         return [*SPACE_INVARIANTS, *(length for length, _ in SPACE_LENGTHS)]
     from osculant.cas.invariants.plane import LENGTHS

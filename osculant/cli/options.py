@@ -16,7 +16,7 @@ from osculant.cli.output import printable
 from osculant.files.registry import Writer, suffixes, writer_of
 from osculant.files.writing import listed, not_installed
 from osculant.pieces.kinds import KINDS, ConicKind
-from osculant.primitives.arc_kinds import ARC_KINDS, may_become
+from osculant.primitives.table import METRICS, USUAL, may_become, usual_first
 
 #: what the command line calls that which the library's sentences call otherwise
 NAMES = {
@@ -43,16 +43,16 @@ Primitive = Annotated[
     str | None,
     typer.Option(
         "--with",
-        metavar="conic|parabola|biarc|bihelix|best",
-        help="The kind of pieces; in the plane conic by default, in space bihelix; best is the one with the "
-        "fewest numbers to store.",
+        metavar="|".join(dict.fromkeys([*usual_first(2), *usual_first(3), "best"])),
+        help=f"The kind of pieces; in the plane {USUAL[2]} by default, in space {USUAL[3]}; best is the one "
+        "with the fewest numbers to store.",
     ),
 ]
 Metric = Annotated[
     str,
     typer.Option(
         "--metric",
-        metavar="hausdorff|area",
+        metavar="|".join(METRICS),
         help="What an error is: a distance, or the area between curve and spline.",
     ),
 ]
@@ -113,12 +113,12 @@ def check_files(write: Sequence[str], plot: str | None, primitive: str | None = 
 
 def _check_arcs(file: str, writer: Writer, primitive: str | None) -> None:
     """Refuse a format that cannot hold the pieces of a primitive."""
-    unfit = [name for name in may_become(primitive) if not writer.holds(ARC_KINDS[name])]
+    unfit = [entry for entry in may_become(primitive) if not writer.holds(entry.arcs)]
     if unfit:
-        most_general = max(unfit, key=lambda name: len(ARC_KINDS[name]))
+        most_general = max(unfit, key=lambda entry: len(entry.arcs)).name
         verb = "are to be" if most_general == primitive else "may become"
         held = listed([KINDS[kind] for kind in KINDS if kind in get_args(ConicKind) and writer.holds([kind])])
-        able = [name for name in may_become("best") if writer.holds(ARC_KINDS[name])]
+        able = [entry.name for entry in may_become("best") if writer.holds(entry.arcs)]
         raise OsculantError(
             f"Cannot write {printable(file)}: it would hold {held} only, and the pieces {verb} "
             f"{most_general} arcs; choose --with {listed(able, 'or')}."

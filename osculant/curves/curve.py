@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from osculant.cas.invariants.values import ExactValues
-    from osculant.cas.jets.plane import Invariant
+    from osculant.cas.jets.jet import Invariant
     from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
     from osculant.codegen.jets import CompiledJet
 

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
     from osculant.cas.invariants.plane import ExactInvariants
     from osculant.cas.jets.balls import CurveBalls
-    from osculant.cas.jets.plane import Invariant, PlaneJet
+    from osculant.cas.jets.jet import Invariant
+    from osculant.cas.jets.plane import PlaneJet
     from osculant.cas.zeros.form_zeros import FormZeros
     from osculant.codegen.jets import CompiledJet
 
@@ -53,16 +54,14 @@ class PlaneCurve(FormulaCurve):
         """The invariants as simplified expressions."""
         from osculant.cas.invariants.plane import ExactInvariants
 
-        x, y = self.coordinates
-        return ExactInvariants(x, y, "t", *(self._ends or ()))
+        return ExactInvariants(*self.coordinates, ends=self._ends)
 
     @cached_property
     def zeros(self) -> FormZeros[PlaneJet]:
         """The zeros of `osculant.cas.zeros.plane.FORMS`: cusps, inflections, sextactic points, …."""
-        from osculant.cas.zeros.form_zeros import FormZeros
-        from osculant.cas.zeros.plane import FORMS
+        from osculant.cas.zeros.plane import zeros
 
-        return FormZeros(self.balls, FORMS)
+        return zeros(self.balls)
 
     def bend(self, t: Any) -> float:
         """1 if the curve bends to the left at a ball t, −1 if to the right."""

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from osculant.cas.invariants.space import SpaceExactInvariants
     from osculant.cas.jets.balls import SpaceBalls
-    from osculant.cas.jets.plane import Invariant
+    from osculant.cas.jets.jet import Invariant
     from osculant.cas.jets.space import SpaceJet
     from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
     from osculant.codegen.jets import CompiledJet
@@ -60,8 +60,7 @@ class SpaceCurve(FormulaCurve):
         """The invariants as simplified expressions."""
         from osculant.cas.invariants.space import SpaceExactInvariants
 
-        x, y, z = self.coordinates
-        return SpaceExactInvariants(x, y, z, "t", *(self._ends or ()))
+        return SpaceExactInvariants(*self.coordinates, ends=self._ends)
 
     @cached_property
     def zeros(self) -> FormZeros[SpaceJet]:
@@ -98,7 +97,8 @@ class SpaceCurve(FormulaCurve):
         return 1.0
 
     def _listed(self) -> tuple[Sequence[Invariant], Sequence[Invariant], int]:
-        from osculant.cas.invariants.space import ORDER, SPACE_INVARIANTS, SPACE_LENGTHS
+        from osculant.cas.invariants.space import ORDER, SPACE_LENGTHS
+        from osculant.cas.jets.space import SPACE_INVARIANTS
 
         return SPACE_INVARIANTS, [length for length, _ in SPACE_LENGTHS], ORDER
 

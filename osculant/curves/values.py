@@ -9,7 +9,7 @@ from osculant.cas.errors import DomainError
 
 if TYPE_CHECKING:
     from osculant.cas.formulas.expression import Node
-    from osculant.cas.jets.plane import Invariant
+    from osculant.cas.jets.jet import Invariant
     from osculant.cas.numbers.balls import FormulaBalls
 
 #: digits that may be asked for; Python converts no integer of more than 4300 digits to text

@@ -5,17 +5,19 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from osculant.pieces.biarcs import Biarc
-from osculant.pieces.conics import Piece
-from osculant.primitives.primitive import Floats, Itself, Primitive, user_point
+from osculant.primitives.conic import segment
+from osculant.primitives.primitive import Itself, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
+    from osculant.pieces.biarcs import Biarc
+    from osculant.pieces.piece import Floats
 
 
 def biarc_piece(values: Floats, place: Place, error: float) -> Biarc:
     """A row of the kernels' table (`kernels.biarcs.records.Row`) as a biarc, or as the one arc that it is."""
     from osculant.kernels.biarcs.records import Row
+    from osculant.pieces.biarcs import Biarc
 
     row = Row(*values.tolist())
     scale, side = place.scale, place.side
@@ -52,6 +54,7 @@ BIARC = Primitive(
     name="biarc",
     plural="biarcs",
     dimension=2,
+    arcs=("arc", "segment"),
     methods={
         "hausdorff": {"equioscillating": equioscillating},
         "area": {"equisymmetric": equisymmetric},
@@ -60,5 +63,5 @@ BIARC = Primitive(
     itself=Itself("circle", ("vertex",), lambda exact: exact.circle, turning=2 * math.pi),
     minimal="by theory",
     piece=biarc_piece,
-    segment=Piece.segment,
+    segment=segment,
 )

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from osculant.pieces.helices import HelixArc, SpacePiece, Vector
-from osculant.primitives.primitive import Floats, Itself, Primitive
+from osculant.primitives.primitive import Itself, Primitive
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.space import Place
+    from osculant.pieces.helices import HelixArc, SpacePiece, Vector
+    from osculant.pieces.piece import Floats
 
 
 def equioscillating(order: int) -> Any:
@@ -35,6 +34,7 @@ def bihelix_piece(values: Floats, place: Place, error: float) -> SpacePiece:
     from osculant.kernels.bihelices.helix import HELIX_SIZE
     from osculant.kernels.bihelices.records import LEFT, MIDDLE, RIGHT
     from osculant.kernels.operations import A, B
+    from osculant.pieces.helices import SpacePiece
 
     arcs = tuple(helix_arc(values[first : first + HELIX_SIZE]) for first in (LEFT, RIGHT))
     return SpacePiece((float(values[A]), float(values[B])), arcs, error, float(values[MIDDLE]))
@@ -42,6 +42,10 @@ def bihelix_piece(values: Floats, place: Place, error: float) -> SpacePiece:
 
 def helix_arc(helix: Floats) -> HelixArc:
     """A `kernels.bihelices.helix.Helix` as a `HelixArc`: V of the thesis is minus the axis."""
+    import numpy as np
+
+    from osculant.pieces.helices import HelixArc
+
     start, tangent, inward = helix[0:3], helix[3:6], helix[9:12]
     rate, length, _, curvature, torsion = helix[12:17].tolist()
     axis = tangent
@@ -57,6 +61,8 @@ def segment(interval: tuple[float, float], start: Vector, end: Vector) -> SpaceP
     >>> segment((0.0, 1.0), (0.0, 0.0, 1.0), (0.0, 0.0, 3.0)).arcs[0].length
     2.0
     """
+    from osculant.pieces.helices import HelixArc, SpacePiece
+
     length = math.dist(start, end)
     x, y, z = ((last - first) / length for first, last in zip(start, end))
     return SpacePiece(interval, (HelixArc(start, (x, y, z), (x, y, z), 0.0, 0.0, length),), 0.0)
@@ -71,6 +77,7 @@ BIHELIX = Primitive(
     name="bihelix",
     plural="bihelices",
     dimension=3,
+    arcs=("helix", "arc", "segment"),
     methods={
         "hausdorff": {
             "equioscillating": equioscillating,

@@ -5,17 +5,20 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from osculant.pieces.conics import Piece, classify
-from osculant.primitives.primitive import Floats, Itself, Method, Primitive, user_point
+from osculant.primitives.primitive import Itself, Method, Primitive, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.conics.records import Row
     from osculant.kernels.curves.plane import Place
+    from osculant.pieces.conics import Piece, Point
     from osculant.pieces.kinds import ConicKind
+    from osculant.pieces.piece import Floats
 
 
 def conic_piece(values: Floats, place: Place, error: float) -> Piece:
     """A row of the kernels' table (`kernels.conics.records.Row`) as a conic arc."""
+    from osculant.pieces.conics import classify
+
     row = _row(values)
     return _arc(row, place, error, classify(row.weight), row.weight)
 
@@ -32,12 +35,21 @@ def _row(values: Floats) -> Row:
 
 
 def _arc(row: Row, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
+    from osculant.pieces.conics import Piece
+
     start, end = user_point(place, row.x0, row.y0), user_point(place, row.x2, row.y2)
     if row.q == 0:
         return Piece.segment((row.a, row.b), start, end, error)
     reach = row.reach / place.scale
     middle = (weight * start[0] + reach * row.tx0, weight * start[1] + reach * row.ty0 * place.side)
     return Piece(kind, (row.a, row.b), start, end, middle, weight, error)
+
+
+def segment(interval: tuple[float, float], start: Point, end: Point) -> Piece:
+    """The straight piece between two points."""
+    from osculant.pieces.conics import Piece
+
+    return Piece.segment(interval, start, end)
 
 
 def record(name: str) -> Method:
@@ -55,6 +67,7 @@ PARABOLA = Primitive(
     name="parabola",
     plural="parabolas",
     dimension=2,
+    arcs=("parabola", "segment"),
     methods={
         "hausdorff": {"bitangent": record("Parabola")},
         "area": {"bitangent": record("ParabolaArea")},
@@ -63,13 +76,14 @@ PARABOLA = Primitive(
     itself=Itself("conic", ("parabolic",), lambda exact: exact.parabola, turning=math.pi),
     minimal="by theory",
     piece=parabola_piece,
-    segment=Piece.segment,
+    segment=segment,
 )
 
 CONIC = Primitive(
     name="conic",
     plural="conics",
     dimension=2,
+    arcs=("ellipse", "parabola", "hyperbola", "segment", "arc"),
     methods={
         "hausdorff": {"equioscillating": record("Conic")},
         "area": {
@@ -81,5 +95,5 @@ CONIC = Primitive(
     itself=Itself("conic", ("sextactic",), lambda exact: exact.conic, turning=math.pi),
     minimal="by theory",
     piece=conic_piece,
-    segment=Piece.segment,
+    segment=segment,
 )

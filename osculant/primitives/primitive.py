@@ -1,25 +1,22 @@
-"""What the front door knows about a kind of pieces: the records that the files of this folder fill in."""
+"""What the front door knows about a kind of pieces: the records that the files of this folder fill in.
+
+The command line lists the table for its help: kernels, laws and numpy are imported only where they are used.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-import numpy as np
-
 from osculant.cas.laws import law as laws
-from osculant.cas.laws.law import Law
-from osculant.cas.laws.table import law_of
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
+    from osculant.pieces.piece import Floats
 
 #: how errors are measured, the default first
 METRICS = tuple(laws.METRICS)
-
-Floats: TypeAlias = np.ndarray[Any, Any]
-Point: TypeAlias = Sequence[float]
 
 
 #: the order of a short arc's error → the record of a fit in the kernels (`osculant.kernels.operations`)
@@ -52,6 +49,7 @@ class Primitive:
         name: as `osculant.approximate` takes it, and `osculant.cas.laws.table`.
         plural: as sentences say it.
         dimension: of the curves, 2 or 3.
+        arcs: the kinds of arcs that its pieces are made of (`osculant.pieces.kinds.KINDS`).
         methods: by metric and rule, the default first, how a piece is chosen from those tangent to the curve
             at both ends: what loads the kernels and makes their record.
         splits: the special points where no piece can pass, besides cusps; by form of the curve's zeros.
@@ -60,6 +58,7 @@ class Primitive:
         monotone: whether an error grows with the arc, away from the points above.
         minimal: what is claimed of the least number of pieces that the search finds.
         smooth: whether pieces meet with a common tangent; others are no candidates for the best.
+        fewest: what is said beside the number of pieces where they do not, as "fewest" means other splines.
         piece: (row of the kernel's table, the kernel's place of the curve, error) → the piece.
         segment: (interval, start, end) → the straight piece.
     """
@@ -67,6 +66,7 @@ class Primitive:
     name: str
     plural: str
     dimension: int
+    arcs: tuple[str, ...]
     methods: Mapping[str, Mapping[str, Method]]
     theory: tuple[str, ...]
     itself: Itself | None
@@ -76,6 +76,7 @@ class Primitive:
     splits: tuple[str, ...] = ("inflection",)
     monotone: bool = True
     smooth: bool = True
+    fewest: str = ""
 
     def rules(self, metric: str) -> tuple[str, ...]:
         """The rules for a metric, the default first; none if errors are not measured so."""
@@ -100,8 +101,10 @@ class Fit:
         """The record of the method in the kernels, which are loaded only now, for errors of that order."""
         return self.primitive.methods[self.metric][self.rule](order)
 
-    def law(self, kind: str = "generic") -> Law:
+    def law(self, kind: str = "generic") -> laws.Law:
         """How the error of one short arc depends on its length, on a stretch of that kind."""
+        from osculant.cas.laws.table import law_of
+
         name = self.primitive.name
         return law_of(f"level {name}" if kind == "level" else name, self.metric)
 

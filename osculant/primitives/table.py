@@ -10,7 +10,18 @@ from osculant.primitives.bihelix import BIHELIX
 from osculant.primitives.conic import CONIC, PARABOLA
 from osculant.primitives.primitive import METRICS, Fit, Primitive
 
-__all__ = ["METRICS", "PRIMITIVES", "USUAL", "Fit", "Primitive", "candidates", "choose", "register"]
+__all__ = [
+    "METRICS",
+    "PRIMITIVES",
+    "USUAL",
+    "Fit",
+    "Primitive",
+    "candidates",
+    "choose",
+    "may_become",
+    "register",
+    "usual_first",
+]
 
 #: by dimension of the curves and name
 PRIMITIVES: dict[int, dict[str, Primitive]] = {2: {}, 3: {}}
@@ -71,7 +82,7 @@ def choose(
 def _no_primitive(name: str, dimension: int, curve: str) -> str:
     """The sentence for a name that the table does not have in this dimension."""
     names = list(PRIMITIVES[dimension])
-    usual = [USUAL[dimension], *(other for other in names if other != USUAL[dimension])]
+    usual = usual_first(dimension)
     choices = " or ".join(filter(None, [", ".join(usual[:-1]), usual[-1]]))
     if dimension == 3:
         return (
@@ -89,6 +100,27 @@ def _no_primitive(name: str, dimension: int, curve: str) -> str:
 def _one_of(names: Iterable[str]) -> str:
     names = list(names)
     return names[0] if len(names) == 1 else f"one of {', '.join(names)}"
+
+
+def usual_first(dimension: int) -> list[str]:
+    """The names of the primitives for curves of a dimension, first what is taken if nothing is said.
+
+    >>> usual_first(2), usual_first(3)
+    (['conic', 'parabola', 'biarc'], ['bihelix'])
+    """
+    usual = USUAL[dimension]
+    return [usual, *(name for name in PRIMITIVES[dimension] if name != usual)]
+
+
+def may_become(primitive: str | None) -> list[Primitive]:
+    """The entries that a spline may be of if this is asked for: several for "best", in the plane.
+
+    >>> [entry.name for entry in may_become("best")], [entry.dimension for entry in may_become("bihelix")]
+    (['parabola', 'conic', 'biarc'], [3])
+    """
+    if primitive == "best":
+        return [PRIMITIVES[2][name] for name in candidates(2)]
+    return [table[primitive] for table in PRIMITIVES.values() if primitive in table]
 
 
 def candidates(dimension: int) -> list[str]:

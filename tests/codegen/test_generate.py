@@ -14,9 +14,9 @@ import sympy as sp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.derivations import affine, jets
 from osculant.cas.formulas.sympy_bridge import cbrt
 from osculant.cas.geometry import pencil
+from osculant.cas.jets.derivations import affine, plane
 from osculant.codegen import generate
 from osculant.codegen.closed_forms import ClosedForm, function_source, module_source
 from osculant.kernels.generated import laws
@@ -192,18 +192,18 @@ def test_printed_invariants(numbers):
 @cache
 def exact_invariants():
     """κ, k and so on from the definitions' derivation, independent of the jets' forms that are printed."""
-    arguments = dict(zip((*jets.x[1:6], *jets.y[1:6]), sp.symbols("x1:6 y1:6", real=True), strict=True))
-    speed = sp.sqrt(jets.x[1] ** 2 + jets.y[1] ** 2)
-    root = cbrt(jets.x[1] * jets.y[2] - jets.x[2] * jets.y[1])
+    arguments = dict(zip((*plane.x[1:6], *plane.y[1:6]), sp.symbols("x1:6 y1:6", real=True), strict=True))
+    speed = sp.sqrt(plane.x[1] ** 2 + plane.y[1] ** 2)
+    root = cbrt(plane.x[1] * plane.y[2] - plane.x[2] * plane.y[1])
     results = {
-        "speed": jets.v,
+        "speed": plane.v,
         "curvature": affine.curvature(),
         "curvature_slope": affine.curvature(1),
-        "affine_speed": jets.phi,
+        "affine_speed": plane.phi,
         "affine_curvature": affine.affine_curvature(),
         "affine_curvature_slope": affine.affine_curvature_slope(),
     }
-    plain = {n: e.subs({jets.v: speed, jets.phi: root}).subs(arguments) for n, e in results.items()}
+    plain = {n: e.subs({plane.v: speed, plane.phi: root}).subs(arguments) for n, e in results.items()}
     return in_50_digits(ClosedForm("invariants", "", tuple(arguments.values()), plain))
 
 

@@ -8,26 +8,17 @@ from typing import Any
 
 import sympy as sp
 
+from osculant.cas.claims.appendices.brackets import bracket, coefficients, h, nodes, u, x, xi
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.numbers.divided_differences import divided_difference, hermite_data, newton
 from osculant.cas.numbers.division import hermite_genocchi, newton_of_polynomial
 
-x, u, xi, h = sp.symbols("x u xi h")
-nodes = sp.symbols("x0:5")
 #: rational functions of four nodes and of the values there of a function of which nothing else is known
 generators = sp.field("x0:4,f0:4", sp.QQ)[1:]
 generic_nodes, generic_values = generators[:4], generators[4:]
 generic = hermite_data([(node, (value,)) for node, value in zip(generic_nodes, generic_values)])
-#: degree of the polynomials with symbolic coefficients on which integral formulas are proved
-DEGREE = 5
-coefficients = sp.symbols(f"c0:{DEGREE + 1}")
 polynomial = sum(c * x**i for i, c in enumerate(coefficients))
-
-
-def bracket(count: int, *more: Any) -> Any:
-    """[x₀, …]f of the polynomial with symbolic coefficients, at that many nodes and some more."""
-    return newton_of_polynomial(coefficients, (*nodes[:count], *more)).coefficients[-1]
 
 
 @claim(

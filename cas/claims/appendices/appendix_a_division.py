@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.appendices.appendix_a import bracket, coefficients, nodes, x
+from osculant.cas.claims.appendices.brackets import bracket, coefficients, nodes, x
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, vanishes
 from osculant.cas.errors import DomainError

@@ -6,8 +6,8 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.appendices.bracket_signs import K0, K1, negative, of_turning, phi
-from osculant.cas.claims.chapter_4.helix_equation import H
+from osculant.cas.claims.appendices.turnings import K0, K1, negative, of_turning, phi
+from osculant.cas.claims.chapter_4.segment_frames import H
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.errors import DomainError

@@ -7,7 +7,7 @@ import sympy as sp
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors
-from osculant.cas.jets.space import Vector3, add, cross, dot, scale, subtract
+from osculant.cas.numbers.vectors import Vector3, add, cross, dot, scale, subtract
 
 
 def _generic(name: str) -> Vector3:

@@ -18,7 +18,7 @@ from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.local_algebra import milnor_number
 from osculant.cas.germs.reference import reference
 from osculant.cas.germs.unfolding import is_stable
-from osculant.cas.jets.space import cross, det, dot
+from osculant.cas.numbers.vectors import cross, det, dot
 
 x, y, u, X = sp.symbols("x y u X")
 kappas, taus = sp.symbols("kappa0:4"), sp.symbols("tau0:3")

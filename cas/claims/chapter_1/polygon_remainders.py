@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_1.polygons import J, K, L, n, total
+from osculant.cas.claims.chapter_1.polygon_totals import J, K, L, n, total
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, vanishes
 from osculant.cas.jets.canonical import affine_arc

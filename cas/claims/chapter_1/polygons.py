@@ -9,22 +9,14 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
+from osculant.cas.claims.chapter_1.polygon_totals import J, n, total
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import agrees, integers, read, vanishes
 from osculant.cas.jets.canonical import affine_graph
 from osculant.cas.laws.arcs import arc_law
 
-n, J, L, K = sp.symbols("n I lambda K", positive=True)
-
 #: numbers of chords of the measured polygons, digits, and Newton steps to the next knot
 COARSE, FINE, DIGITS, STEPS = 10, 20, 25, 4
-
-
-def total(primitive: str, metric: str) -> Any:
-    """ε for n pieces, given the integral I of (|κ|)^{1/p} ds."""
-    law = arc_law(primitive, metric)
-    # ε = (c^{1/p} J)ᵖ n^{−1/rate}
-    return law.constant * J**law.order / n ** (1 / law.rate)
 
 
 @claim(

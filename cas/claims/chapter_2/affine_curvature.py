@@ -6,22 +6,21 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_2.affine_curves import (
+from osculant.cas.claims.chapter_2.plane_frames import (
     BRACKETS,
     CURVE,
     GENERIC,
     PHI,
     D,
-    all_of,
     euclidean_frame,
     frenet_derivative,
     kappas,
     same_vectors,
 )
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, read_tuple, vanishes
-from osculant.cas.derivations.affine import affine_curvature, by_affine_arc_length
-from osculant.cas.derivations.jets import Vector, bracket, derivative, phi, x, y
+from osculant.cas.claims.proof import all_of, read, read_tuple, vanishes
+from osculant.cas.jets.derivations.affine import affine_curvature, by_affine_arc_length
+from osculant.cas.jets.derivations.plane import Vector, bracket, derivative, phi, x, y
 
 #: α̇, α̈, α⃛ as a1, a2, a3
 JET: dict[str, Any] = {f"a{i}": (x[i], y[i]) for i in (1, 2, 3)}

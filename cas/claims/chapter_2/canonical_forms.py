@@ -6,9 +6,8 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_2.affine_curves import all_of
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import order, read_tuple, vanishes
+from osculant.cas.claims.proof import all_of, order, read_tuple, vanishes
 from osculant.cas.jets.canonical import affine_arc, affine_graph
 from osculant.cas.numbers.power_series import PowerSeries
 

@@ -11,22 +11,14 @@ from typing import Any
 
 import sympy as sp
 
+from osculant.cas.claims.chapter_2.helix_frames import BETA, KAPPAB, N0, PHI, T0, TAUB, V0, W0, C, S, phis, s
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import positive, read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors, same
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.jets.space import SpaceJet, Vector3, add, cross, dot, scale, subtract
+from osculant.cas.jets.space import SpaceJet
+from osculant.cas.numbers.vectors import Vector3, add, cross, dot, scale, subtract
 
-N0: Vector3 = (sp.S.One, sp.S.Zero, sp.S.Zero)
-W0: Vector3 = (sp.S.Zero, sp.S.One, sp.S.Zero)
-V0: Vector3 = (sp.S.Zero, sp.S.Zero, sp.S.One)
-
-s, C, S = sp.symbols("s C S", real=True)
-phis = sp.symbols("phi:4", real=True)  # φ, φ' = β, φ'', φ'''
-m = sp.Symbol("m", positive=True)
-KAPPAB, TAUB = 2 * m / (1 + m**2), (1 - m**2) / (1 + m**2)
-PHI, BETA = phis[0], sp.Symbol("beta", positive=True)
-T0 = add(scale(TAUB, V0), scale(KAPPAB, W0))
 SCALARS = {"kappab": KAPPAB, "taub": TAUB, "phi": PHI, "C": C, "S": S, "s": s, "beta": BETA}
 SCALARS["kappa"] = KAPPAB * BETA
 VECTORS = {"N0": N0, "W0": W0, "V0": V0, "T0": T0, "T0xV0": cross(T0, V0)}
@@ -120,7 +112,7 @@ def base_curve(form: str) -> Evidence:
 )
 def helix_motion(form: str) -> Evidence:
     """The Darboux frame differentiated in the ring of generic κ, τ, then (τ/κ)' = 0 inserted."""
-    from osculant.cas.derivations import space
+    from osculant.cas.jets.derivations import space
 
     axis = (space.tau / space.beta, sp.S.Zero, -space.kappa / space.beta)
     companion = cross(axis, space.N)
@@ -184,7 +176,7 @@ def generalised_helix(form: str) -> Evidence:
 )
 def constant_slope(form: str) -> Evidence:
     """⟨T, V⟩ in the ring of generic κ, τ is τ/β; and V' = 0 when (τ/κ)' = 0."""
-    from osculant.cas.derivations import space
+    from osculant.cas.jets.derivations import space
 
     axis = (space.tau / space.beta, sp.S.Zero, -space.kappa / space.beta)
     straight = {space.taus[1]: space.tau * space.kappas[1] / space.kappa}

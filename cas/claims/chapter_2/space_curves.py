@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
+from osculant.cas.claims.chapter_2.space_frames import GAMMA, V, W
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors, same
-from osculant.cas.derivations.space import (
+from osculant.cas.jets.derivations.space import (
     GENERIC,
     RELATION,
     B,
@@ -24,11 +25,9 @@ from osculant.cas.derivations.space import (
     turned_rate,
     turned_vector,
 )
-from osculant.cas.jets.space import Vector3, cross, det, dot, scale
+from osculant.cas.numbers.vectors import cross, det, dot, scale
 
 FRENET = {"T": T, "N": N, "B": B}
-V: Vector3 = (tau / beta, sp.S.Zero, -kappa / beta)
-W: Vector3 = cross(V, N)
 DARBOUX = {"N": N, "W": W, "V": V}
 SCALARS = {"kappa": kappa, "tau": tau, "beta": beta, "kappab": kappa / beta, "taub": tau / beta}
 
@@ -37,7 +36,6 @@ DERIVATIVES = [scale(kappa, N)]
 for _ in range(2):
     DERIVATIVES.append(moved(DERIVATIVES[-1]))
 
-GAMMA = dot(moved(V), W)
 RATIO_SLOPE = by_arc_length(tau / kappa)
 JETS = {f"kappa{i}": k for i, k in enumerate(kappas[1:], 1)} | {
     f"tau{i}": t for i, t in enumerate(taus[1:], 1)

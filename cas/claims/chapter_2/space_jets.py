@@ -6,11 +6,11 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_2.space_curves import GAMMA, V, W
+from osculant.cas.claims.chapter_2.space_frames import GAMMA, V, W
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors, same
-from osculant.cas.derivations.space import (
+from osculant.cas.jets.derivations.space import (
     GENERIC,
     N,
     beta,
@@ -24,7 +24,7 @@ from osculant.cas.derivations.space import (
     turned_rate,
     turned_vector,
 )
-from osculant.cas.jets.space import add, cross, dot, scale
+from osculant.cas.numbers.vectors import add, cross, dot, scale
 
 
 @claim(

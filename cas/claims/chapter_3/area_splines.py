@@ -2,37 +2,21 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
 import sympy as sp
-from flint import arb
 
-from osculant.cas.claims.chapter_3.conic_area import Q, area_at, areas, c, k, k1, moons, rho
+from osculant.cas.claims.chapter_3.areas import (
+    ORDERS,
+    arc_factor,
+    area_at,
+    c,
+    constant_of,
+    moons,
+)
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import HALF_SEXTIC, SPIRAL_ARC
 from osculant.cas.claims.proof import agrees, positive, read, read_tuple, split, vanishes
-from osculant.cas.formulas.parser import parse_constant, parse_tuple
-from osculant.cas.jets.balls import CurveBalls
-from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.laws.conics import canonical_coefficients
-from osculant.cas.numbers.balls import PRECISION, constant, precision
-from osculant.cas.numbers.quadrature import integral
 
 a, b, n, eps, content = sp.symbols("a b n eps content", positive=True)
-#: area of an arc: its order in the affine length ρ
-ORDERS = {"parabola": 5, "conic": 6}
-SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
-SEXTIC = ("4*cos(t/3)^3*cos(t), 4*cos(t/3)^3*sin(t)", "0", "3*pi/4")
-
-
-def arc_factor(primitive: str) -> Any:
-    """1/240 or 1/7680: δ/(|k|ρ⁵) or δ/(|dk/dr|ρ⁶) of one arc, derived in the module of theorem 3.6.4."""
-    if primitive == "parabola":
-        gamma, beta = areas()
-        found = (gamma - beta).subs(Q, sp.Rational(canonical_coefficients()[0]) * k) / (k * rho**5)
-    else:
-        found = area_at(sp.Rational(1, 2)) / (k1 * rho**6)
-    return sp.cancel(found)
 
 
 def spline_area(form: str, primitive: str) -> Evidence:
@@ -182,32 +166,7 @@ def conic_constants(form: str) -> Evidence:
 
 def _constants(form: str, primitive: str) -> Evidence:
     result = Evidence(True)
-    for claimed, example in zip(split(form, 2), (SPIRAL, SEXTIC), strict=True):
+    for claimed, example in zip(split(form, 2), (SPIRAL_ARC, HALF_SEXTIC), strict=True):
         value = constant_of(example, primitive)
         result &= agrees(value.str(30, radius=False), claimed, 17, f"constant of ({example[0]})")
     return result
-
-
-@cache
-def constant_of(example: tuple[str, str, str], primitive: str) -> Any:
-    """The constant of (3.25) or (3.26) on an arc without special points inside, by quadrature.
-
-    >>> print(constant_of(SPIRAL, "conic").str(8, radius=False))
-    2.0377782
-    """
-    (curve, low, high), order = example, ORDERS[primitive]
-    with precision(PRECISION):
-        balls = CurveBalls(parse_tuple(curve))
-        ends = constant(parse_constant(low)), constant(parse_constant(high))
-
-        def density(t: Any, balls: CurveBalls = balls) -> Any:
-            return _affine_density(balls.jet(t, 5), primitive).mid()
-
-        total, _ = integral(density, *ends)
-        factor = arc_factor(primitive)
-        return (total**order * arb(int(factor.p)) / int(factor.q)).root(order - 1)
-
-
-def _affine_density(jet: PlaneJet, primitive: str) -> Any:
-    invariant = abs(jet.affine_curvature if primitive == "parabola" else jet.affine_curvature_slope)
-    return invariant.root(ORDERS[primitive]) * abs(jet.affine_speed) if invariant > 0 else arb(0)

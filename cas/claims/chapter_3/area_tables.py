@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from flint import arb
 
-from osculant.cas.claims.chapter_3.area_splines import ORDERS, SEXTIC, SPIRAL, constant_of
+from osculant.cas.claims.chapter_3.areas import ORDERS, constant_of
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import HALF_SEXTIC, SPIRAL_ARC
 from osculant.cas.claims.proof import integers
 from osculant.cas.numbers.balls import PRECISION, precision
 
@@ -35,7 +36,7 @@ def _counts(form: str, example: tuple[str, str, str], primitive: str, copies: in
 )
 def spiral_parabolas(form: str) -> Evidence:
     """⌈C ε^(−1/4)⌉ with the constant of (3.25)."""
-    return _counts(form, SPIRAL, "parabola", 1)
+    return _counts(form, SPIRAL_ARC, "parabola", 1)
 
 
 @claim(
@@ -48,7 +49,7 @@ def spiral_parabolas(form: str) -> Evidence:
 )
 def spiral_conics(form: str) -> Evidence:
     """⌈C ε^(−1/5)⌉ with the constant of (3.26)."""
-    return _counts(form, SPIRAL, "conic", 1)
+    return _counts(form, SPIRAL_ARC, "conic", 1)
 
 
 @claim(
@@ -61,7 +62,7 @@ def spiral_conics(form: str) -> Evidence:
 )
 def sextic_parabolas(form: str) -> Evidence:
     """2⌈C ε^(−1/4)⌉ with the constant of one half. With ε/2 for each half it were 8, 14, 24, 40, 72, 128."""
-    return _counts(form, SEXTIC, "parabola", 2)
+    return _counts(form, HALF_SEXTIC, "parabola", 2)
 
 
 @claim(
@@ -74,4 +75,4 @@ def sextic_parabolas(form: str) -> Evidence:
 )
 def sextic_conics(form: str) -> Evidence:
     """2⌈C ε^(−1/5)⌉ with the constant of one half."""
-    return _counts(form, SEXTIC, "conic", 2)
+    return _counts(form, HALF_SEXTIC, "conic", 2)

@@ -10,9 +10,10 @@ import sympy as sp
 from flint import arb
 from mpmath import mp
 
-from osculant.cas.claims.chapter_3.displacement import zeros_inside
-from osculant.cas.claims.chapter_3.tables import CAYLEY, CLOSED, HALF, SPIRAL, enclosed_constant
+from osculant.cas.claims.chapter_3.enclosures import CLOSED, enclosed_constant
+from osculant.cas.claims.chapter_3.sample_arcs import zeros_inside
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import HALF_SEXTIC, SEXTIC, SPIRAL, SPIRAL_ARC
 from osculant.cas.claims.proof import integers, read, read_tuple, split
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
@@ -54,7 +55,7 @@ def _trigonometric_zero(expression: Any) -> bool:
     "only sextactic "
     "point is t = 0.",
     method=Method.PROOF,
-    form=CLOSED[CAYLEY]["sextactic_form"],
+    form=CLOSED[SEXTIC]["sextactic_form"],
     wrong=(
         "36700160/729*sin(t/3)*cos(t/3)^9*(4 + 5*cos(2*t/3))",
         "-36700160/729*sin(t/3)*cos(t/3)^9*(5 + 4*cos(2*t/3))",
@@ -66,7 +67,7 @@ def cayley_sextactic(form: str) -> Evidence:
     The last factor is at least 1 and cos(t/3) > 0 for |t| < 3π/2, where the cusp is; sin(t/3) vanishes at 0
     only.
     """
-    difference = _jet(CAYLEY).sextactic_form - read(form, {"t": T})
+    difference = _jet(SEXTIC).sextactic_form - read(form, {"t": T})
     same = _trigonometric_zero(difference)
     return Evidence(same, (f"27D⁴ dk/dr on the sextic {'is' if same else 'is not'} {form}",))
 
@@ -76,12 +77,12 @@ def cayley_sextactic(form: str) -> Evidence:
     "Cayley's sextic is nowhere parabolic: 9φ⁸k = (20480/81) cos⁶(t/3) (16 + 14cos(2t/3)) > 0 for |t| < "
     "3π/2.",
     method=Method.PROOF,
-    form=CLOSED[CAYLEY]["parabolic_form"],
+    form=CLOSED[SEXTIC]["parabolic_form"],
     wrong=("20480/81*cos(t/3)^6*(14 + 16*cos(2*t/3))", "20480/81*cos(t/3)^8*(16 + 14*cos(2*t/3))"),
 )
 def cayley_parabolic(form: str) -> Evidence:
     """The form n of `PlaneJet` from four derivatives, a polynomial in e^{it/3}."""
-    difference = _jet(CAYLEY).parabolic_form - read(form, {"t": T})
+    difference = _jet(SEXTIC).parabolic_form - read(form, {"t": T})
     same = _trigonometric_zero(difference)
     return Evidence(same, (f"9φ⁸k on the sextic {'is' if same else 'is not'} {form}",))
 
@@ -91,12 +92,12 @@ def cayley_parabolic(form: str) -> Evidence:
     "Cayley's sextic has |α̇|² = 16cos⁴(t/3) and [α̇, α̈] = (64/3)cos⁴(t/3): no inflection, and no cusp for "
     "|t| < 3π/2.",
     method=Method.PROOF,
-    form=f"{CLOSED[CAYLEY]['speed_squared']}, {CLOSED[CAYLEY]['inflection_form']}",
+    form=f"{CLOSED[SEXTIC]['speed_squared']}, {CLOSED[SEXTIC]['inflection_form']}",
     wrong=("16*cos(t/3)^4, 64/3*cos(t/3)^2", "4*cos(t/3)^2, 64/3*cos(t/3)^4", "16*cos(t/3)^4, 0"),
 )
 def cayley_regular(form: str) -> Evidence:
     """Both forms from two derivatives, polynomials in e^{it/3}."""
-    jet, claimed = _jet(CAYLEY), read_tuple(form, {"t": T}, 2)
+    jet, claimed = _jet(SEXTIC), read_tuple(form, {"t": T}, 2)
     derived = (jet.speed_squared, jet.inflection_form)
     same = [_trigonometric_zero(a - b) for a, b in zip(derived, claimed, strict=True)]
     return Evidence(all(same), (f"|α̇|² and [α̇, α̈] agree with {form}: {same}",))
@@ -114,7 +115,7 @@ def cayley_regular(form: str) -> Evidence:
 def cayley_turning(form: str) -> Evidence:
     """[α̇, (cos, sin) of the form] = 0 and their product is positive; the end tangents then are opposite."""
     angle = read(form, {"t": T})
-    x, y = (sp.diff(z, T) for z in read_tuple(CAYLEY, {"t": T}))
+    x, y = (sp.diff(z, T) for z in read_tuple(SEXTIC, {"t": T}))
     across, along = x * sp.sin(angle) - y * sp.cos(angle), x * sp.cos(angle) + y * sp.sin(angle)
     flat = {f: sp.expand(sp.expand_trig(f)) for f in across.atoms(sp.sin, sp.cos)}
     parallel = _trigonometric_zero(sp.expand(across.subs(flat)))
@@ -140,7 +141,7 @@ def spiral_monotone(form: str) -> Evidence:
     """
     polynomials = _spiral_forms()
     low, high = read_tuple(form, {}, 2)
-    wanted = read_tuple(f"{SPIRAL[1]}, {SPIRAL[2]}", {}, 2)
+    wanted = read_tuple(f"{SPIRAL_ARC[1]}, {SPIRAL_ARC[2]}", {}, 2)
     if not (low <= wanted[0] and wanted[1] <= high):
         return Evidence(False, (f"[{low}, {high}] does not contain [{wanted[0]}, {wanted[1]}]",))
     outer = sp.floor(low * 100) / 100, sp.ceiling(high * 100) / 100
@@ -152,7 +153,7 @@ def spiral_monotone(form: str) -> Evidence:
 @cache
 def _spiral_forms() -> list[Any]:
     """The parabolic and the sextactic form of the spiral, polynomials in t."""
-    jet = _jet(SPIRAL[0])
+    jet = _jet(SPIRAL)
     return [sp.Poly(sp.expand(sp.simplify(z)), T) for z in (jet.parabolic_form, jet.sextactic_form)]
 
 
@@ -171,7 +172,7 @@ def cayley_interval(form: str) -> Evidence:
     """The parabolas of table 3.3 follow from (3.17) over both parts of the interval, split at t = 0."""
     low, high = split(form, 2)
     with precision(64):
-        parts = [enclosed_constant(CAYLEY, *ends, "parabola") for ends in ((low, "0"), ("0", high))]
+        parts = [enclosed_constant(SEXTIC, *ends, "parabola") for ends in ((low, "0"), ("0", high))]
         whole = [[(part * arb(10**n).root(4)).ceil().unique_fmpz() for part in parts] for n in range(1, 9)]
         if any(None in pieces for pieces in whole):
             return Evidence(False, (f"no constant is found for the interval from {low} to {high}",))
@@ -203,10 +204,10 @@ def cayley_two_conics(form: str) -> Evidence:
     the Hausdorff distance.
     """
     with mp.workdps(15):
-        pencil = BitangentPencil(ReferenceCurve(CAYLEY), 0, 3 * mp.pi / 4)
+        pencil = BitangentPencil(ReferenceCurve(SEXTIC), 0, 3 * mp.pi / 4)
         best = pencil.best()
         error, weight = pencil.hausdorff(best), pencil.weight(best)
-    enough = displaced_less(HALF, str(best), "0.1")
+    enough = displaced_less(HALF_SEXTIC, str(best), "0.1")
     line = (
         f"best conic of a half: w = {mp.nstr(weight, 3)}, error {mp.nstr(error, 9)}; |d| < 0.1 in balls: "
         f"{enough}"
@@ -217,7 +218,7 @@ def cayley_two_conics(form: str) -> Evidence:
 def displaced_less(arc: tuple[str, str, str], member: str, bound: str) -> bool:
     """Whether |d| < bound certainly holds along an arc for the bitangent conic of that Q.
 
-    >>> displaced_less(HALF, "0.21715", "0.09"), displaced_less(HALF, "0.21715", "0.1")
+    >>> displaced_less(HALF_SEXTIC, "0.21715", "0.09"), displaced_less(HALF_SEXTIC, "0.21715", "0.1")
     (False, True)
     """
     curve = CurveBalls(parse_tuple(arc[0]))
@@ -273,7 +274,7 @@ def cayley_parabolas(form: str) -> Evidence:
         if odd:
             return Evidence(False, ("the halves are mirror images: both need as many parabolas",))
         totals = {
-            m: equal_area_total(CAYLEY, mp.mpf(0), 3 * mp.pi / 4, m) for m in {max(count - 1, 2), count}
+            m: equal_area_total(SEXTIC, mp.mpf(0), 3 * mp.pi / 4, m) for m in {max(count - 1, 2), count}
         }
     enough = totals[count] <= 0.1
     fewer = count > 2 and totals[count - 1] <= 0.1

@@ -2,50 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
 import sympy as sp
 
+from osculant.cas.claims.chapter_3.areas import Q, area_at, areas, c, chord_area, k, k1, moons, rho, u, x
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.errors import DomainError
-from osculant.cas.jets.canonical import affine_arc
 from osculant.cas.laws.conics import canonical_coefficients
-
-rho = sp.Symbol("rho", positive=True)
-k, k1, P, Q, c, x, u = sp.symbols("k k1 P Q c x u", real=True)
-
-
-def chord_area(first: Any, second: Any, at: Any, low: Any, high: Any) -> Any:
-    """½∫[α(u) − α(σ), α′(u)] du between parameters σ = low and τ = high (3.20)."""
-    moved = [f - f.subs(at, low) for f in (first, second)]
-    density = moved[0] * sp.diff(second, at) - moved[1] * sp.diff(first, at)
-    whole = sp.Poly(density, at).integrate(at)
-    return (whole.eval(high) - whole.eval(low)) / 2
-
-
-@cache
-def areas() -> tuple[Any, Any]:
-    """A_γ(0, ρ) and A_β(0, ρ) to the order ρ⁵, β = γ + u²(ρ − u)²(Pt + Qn), in the affine frame at 0."""
-    X, Y, _ = affine_arc(5, [k, *sp.symbols("k1:3")])
-    first, second = (
-        sp.Add(*(coefficient * u**i for i, coefficient in enumerate(row.coefficients))) for row in (X, Y)
-    )
-    shape = u**2 * (rho - u) ** 2
-    # t = γ′ and n = γ″, as far as ρ⁵ needs them
-    moved = [f + shape * (P * sp.diff(f, u) + Q * sp.diff(f, u, 2)) for f in (first, second)]
-    gamma, beta = (
-        sp.Add(*(sp.expand(chord_area(x1, x2, u, 0, rho)).coeff(rho, i) * rho**i for i in range(6)))
-        for x1, x2 in ((first, second), (moved[0], moved[1]))
-    )
-    return gamma, beta
-
-
-def moons(crossing: Any) -> tuple[Any, Any]:
-    """Areas of x²(1 − x)²|x − c| before and after c."""
-    shape = sp.expand(x**2 * (1 - x) ** 2 * (crossing - x))
-    return sp.integrate(shape, (x, 0, crossing)), -sp.integrate(shape, (x, crossing, 1))
 
 
 @claim(
@@ -162,11 +125,6 @@ def moon_polynomials(form: str) -> Evidence:
     for value, derived, name in zip(claimed, moons(c), ("first", "second"), strict=True):
         result &= vanishes(value / 60 - derived, f"{name} moon")
     return result
-
-
-def area_at(crossing: Any) -> Any:
-    """δ of a conic that crosses at cρ: the moons times the factor of dk/dr > 0 in the canonical form."""
-    return sum(moons(crossing)) * sp.Rational(canonical_coefficients()[1]) * k1 * rho**6
 
 
 @claim(

@@ -6,12 +6,12 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_2.affine_curves import GENERIC, all_of
+from osculant.cas.claims.chapter_2.plane_frames import GENERIC
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import read, vanishes
-from osculant.cas.derivations.jets import Vector, bracket, phi, x, y
+from osculant.cas.claims.proof import all_of, read, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.jets.canonical import affine_arc
+from osculant.cas.jets.derivations.plane import Vector, bracket, phi, x, y
 from osculant.cas.jets.plane import PlaneJet
 
 X, Y = sp.symbols("x y", real=True)

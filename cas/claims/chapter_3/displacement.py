@@ -9,15 +9,17 @@ from typing import Any
 import sympy as sp
 from mpmath import mp
 
+from osculant.cas.claims.chapter_3.sample_arcs import monotone_curvature, zeros_inside
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import SPIRAL
 from osculant.cas.claims.proof import integers, read, split, vanishes
 from osculant.cas.errors import DomainError
-from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve, root_between
+from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
+from osculant.cas.numbers.roots import root_between
 
 #: the lines l₀, l₁, l₂ at a point of the curve and their derivatives along its normal
 L0, L1, L2, N0, N1, N2 = sp.symbols("l0 l1 l2 n0 n1 n2", real=True)
 Q = sp.Symbol("Q", positive=True)
-SPIRAL = "t*cos(t), t*sin(t)"
 
 
 @claim(
@@ -257,30 +259,3 @@ def five_points(form: str) -> Evidence:
 
 def _monomials(x: Any, y: Any) -> list[Any]:
     return [x * x, x * y, y * y, x, y, sp.S.One]
-
-
-def zeros_inside(expression: Any, x: Any, low: Any, high: Any) -> int:
-    """The zeros of a rational function in an interval, with multiplicity, counted exactly.
-
-    >>> t = sp.Symbol("t")
-    >>> zeros_inside(t**2 * (t - 3) / (t + 4), t, -1, 1)
-    2
-    """
-    numerator = sp.Poly(sp.numer(sp.together(expression)), x)
-    return sum(m * factor.count_roots(low, high) for factor, m in numerator.sqf_list()[1])
-
-
-def monotone_curvature(graph: Any, x: Any, low: Any, high: Any) -> bool:
-    """Whether dk/dr has no zero on a graph y(x) with rational y, and y″ none: decided exactly.
-
-    >>> t = sp.Symbol("t")
-    >>> monotone_curvature(t**2 + t**5, t, 0, 1), monotone_curvature(t**2 + t**4, t, -1, 1)
-    (False, False)
-    """
-    second = sp.diff(graph, x, 2)
-    # k = −½(y″^(−2/3))″ by R3.3-10, so dk/dr has the sign of −(y″^(−2/3))‴ = y″^(−11/3)·factor
-    power, factor = sp.Rational(-2, 3), sp.S.One
-    for _ in range(3):
-        factor = sp.together(power * sp.diff(second, x) * factor + second * sp.diff(factor, x))
-        power -= 1
-    return zeros_inside(second, x, low, high) == 0 and zeros_inside(factor, x, low, high) == 0

@@ -10,10 +10,10 @@ import sympy as sp
 from flint import arb
 from mpmath import mp
 
-from osculant.cas.claims.chapter_3.monotonicity import ARCS
-from osculant.cas.claims.chapter_3.parabola_contact import det
-from osculant.cas.claims.chapter_3.parabola_monotonicity import CAYLEY, has_no_zero
+from osculant.cas.claims.chapter_3.parabolas import det
+from osculant.cas.claims.chapter_3.sample_arcs import has_no_zero
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import AFFINE_SPIRALS, SEXTIC
 from osculant.cas.claims.proof import read, vanishes
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.parser import parse_tuple
@@ -30,7 +30,7 @@ ENDS = ("0.5", "0.75", "1")
 #: fixed crossings, in parts of the shortest arc; members tried on arcs that conics may cross more often
 CROSSINGS, MEMBERS = ("0.4", "0.7"), 12
 #: arcs from −1 across a sextactic point, by the hypothesis they satisfy
-ACROSS = {"k != 0": CAYLEY, "k has an extremum": "t, t^2/2 + t^6/400"}
+ACROSS = {"k != 0": SEXTIC, "k has an extremum": "t, t^2/2 + t^6/400"}
 #: two ends of theirs: from the first to the second the moon before t = −0.5, or the least area, falls
 FALLS = {"moon": ("0.85", "1"), "least": ("0.75", "0.9")}
 
@@ -139,7 +139,7 @@ def moons_grow(form: str) -> Evidence:
                 before.append(moons(pencil, pencil.through("-0.5"))[0])
             line = f"{text} from −1 to {' and '.join(FALLS['moon'])}: moon before t = −0.5 {_row(before)}"
             return found & _certain(form) & Evidence(before[0] < before[1], (line,))
-        for arc in ARCS:
+        for arc in AFFINE_SPIRALS:
             found &= Evidence(has_no_zero(*arc, "sextactic_form"), (f"{arc[0]}: dk/dr has no zero",))
             found &= _fixed_crossings_grow(arc)
     return found
@@ -198,7 +198,7 @@ def least_grows(form: str) -> Evidence:
             least = [_least_tried(BitangentPencil(ReferenceCurve(text), "-1", end)) for end in FALLS["least"]]
             line = f"{text} from −1 to {' and '.join(FALLS['least'])}: least areas {_row(least)}"
             return found & _certain(form) & Evidence(least[0] < least[1], (line,))
-        for arc in ARCS:
+        for arc in AFFINE_SPIRALS:
             found &= Evidence(has_no_zero(*arc, "sextactic_form"), (f"{arc[0]}: dk/dr has no zero",))
             found &= _chain(arc)
     return found

@@ -10,18 +10,17 @@ import sympy as sp
 from mpmath import mp
 
 from osculant.cas.claims.chapter_3.displacement import displacement_by_q
-from osculant.cas.claims.chapter_3.parabola_monotonicity import CAYLEY, growth, velocity_zeros
+from osculant.cas.claims.chapter_3.parabola_monotonicity import velocity_zeros
+from osculant.cas.claims.chapter_3.sample_arcs import growth
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import AFFINE_SPIRALS, SEXTIC, SPIRAL
 from osculant.cas.claims.proof import agrees, integers, read, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
 from osculant.cas.geometry.moons import equisymmetric, imbalance, least_area, moons
 
-SPIRAL = "t*cos(t), t*sin(t)"
-#: affine spirals with a fixed end and the last end tried; k has both signs on the third
-ARCS = ((SPIRAL, "1", "3"), ("t, exp(t)", "-1", "1"), ("t, t^2/2 + t^5/400", "-1", "1"))
 #: arcs with k ≠ 0 and a sextactic point inside, up to where the distance or the area has fallen
-ACROSS = {"distance": (CAYLEY, "-1", "1"), "area": (CAYLEY, "-1", "0.9")}
+ACROSS = {"distance": (SEXTIC, "-1", "1"), "area": (SEXTIC, "-1", "0.9")}
 
 
 @claim(
@@ -55,7 +54,7 @@ def _grows(form: str, chosen: Any) -> Evidence:
         raise DomainError(f"The hypothesis {form!r} is unknown: use 'k monotone' or 'k != 0'.")
     found = velocity_zeros("3, 4") & moving_end("-F_uu")
     if form == "k monotone":
-        for arc in ARCS:
+        for arc in AFFINE_SPIRALS:
             found &= growth(*arc, "sextactic_form", chosen)
         return found
     return found & growth(*ACROSS["distance"], "parabolic_form", chosen)
@@ -106,7 +105,7 @@ def equisymmetric_monotone(form: str) -> Evidence:
     if form not in {"k monotone", "k != 0"}:
         raise DomainError(f"The hypothesis {form!r} is unknown: use 'k monotone' or 'k != 0'.")
     found = velocity_zeros("3, 4") & moving_end("-F_uu")
-    arcs = ARCS if form == "k monotone" else (ACROSS["area"],)
+    arcs = AFFINE_SPIRALS if form == "k monotone" else (ACROSS["area"],)
     for text, low, high in arcs:
         curve = ReferenceCurve(text)
         with mp.workdps(15):
@@ -204,7 +203,7 @@ def _stationary() -> tuple[set[int], tuple[str, ...]]:
     """The numbers of stationary members found on five arcs, and where they cross."""
     lines, counts = [], set()
     with mp.workdps(15):
-        for text, low, high in (*ARCS, (CAYLEY, "0", "2"), (SPIRAL, "0.5", "2.5")):
+        for text, low, high in (*AFFINE_SPIRALS, (SEXTIC, "0", "2"), (SPIRAL, "0.5", "2.5")):
             pencil = BitangentPencil(ReferenceCurve(text), low, high)
             values = [imbalance(pencil, pencil.a + (pencil.b - pencil.a) * i / 12) for i in range(1, 12)]
             counts.add(sum(one * two < 0 for one, two in pairwise(values)))

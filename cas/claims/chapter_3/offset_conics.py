@@ -9,12 +9,12 @@ import sympy as sp
 
 from osculant.cas.asymptotics.arc_displacement import KAPPA, displacement
 from osculant.cas.asymptotics.offset_curves import OffsetCurve
-from osculant.cas.claims.chapter_2.affine_curves import W, all_of, euclidean_frame, frenet_derivative, kappas
-from osculant.cas.claims.chapter_3.offset_curves import AT_ZERO, CROSSING, TANGENT, curvature_of_alpha
+from osculant.cas.claims.chapter_2.plane_frames import W, euclidean_frame, frenet_derivative, kappas
+from osculant.cas.claims.chapter_3.offsets import AT_ZERO, CROSSING, TANGENT, curvature_of_alpha
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import integers, read, read_tuple, vanishes
-from osculant.cas.derivations.jets import bracket
+from osculant.cas.claims.proof import all_of, integers, read, read_tuple, vanishes
 from osculant.cas.errors import DomainError
+from osculant.cas.jets.derivations.plane import bracket
 
 
 def least_q(curve: OffsetCurve, order: int, condition: Any) -> Any:

@@ -7,8 +7,7 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.asymptotics.offset_curves import OffsetCurve, bracket
-from osculant.cas.claims.chapter_2.affine_curves import all_of
-from osculant.cas.claims.chapter_3.offset_curves import (
+from osculant.cas.claims.chapter_3.offsets import (
     AT_ZERO,
     BASIS,
     CROSSING,
@@ -19,7 +18,7 @@ from osculant.cas.claims.chapter_3.offset_curves import (
     to_order,
 )
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import integers, order, read, read_tuple
+from osculant.cas.claims.proof import all_of, integers, order, read, read_tuple
 from osculant.cas.numbers.division import newton_of_polynomial
 
 

@@ -7,32 +7,16 @@ from typing import Any
 
 import sympy as sp
 from flint import arb, fmpq, fmpq_poly
-from mpmath import mp
 
-from osculant.cas.claims.chapter_3.displacement import monotone_curvature
-from osculant.cas.claims.chapter_3.parabola_contact import (
-    CHANGING,
-    E1,
-    E2,
-    PARABOLA,
-    U,
-    X,
-    axis,
-    bitangent_parabola,
-    det,
-    four_points,
-)
+from osculant.cas.claims.chapter_3.parabola_contact import axis, four_points
+from osculant.cas.claims.chapter_3.parabolas import CHANGING, E1, E2, PARABOLA, U, X, bitangent_parabola, det
+from osculant.cas.claims.chapter_3.sample_arcs import PARTS, growth, monotone_curvature
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import SEXTIC, SPIRAL
 from osculant.cas.claims.proof import integers, read, vanishes
 from osculant.cas.errors import DomainError
-from osculant.cas.formulas.parser import parse_tuple
-from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
-from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.numbers.balls import ball, precision
 
-CAYLEY = "4*cos(t/3)^3*cos(t), 4*cos(t/3)^3*sin(t)"
-#: ends tried; parts of an interval on which balls decide a sign, each halved this often where they do not
-ENDS, PARTS, DEPTH = 7, 16, 8
 #: the shorter arc's end, and a point where its error is large
 SHORTER = (sp.Rational(1, 2), fmpq(-1, 4))
 
@@ -137,58 +121,9 @@ def parabola_monotone(form: str) -> Evidence:
         return _shrinking(form)
     found = four_points("k != 0") & axis("-(a + b)*E") & velocity_zeros("3, 4")
     found &= parabola_motion("2*lam*(1 - kappa/kappa_P)*E*u**2*(1 - u)")
-    for text, low, high in ((CAYLEY, "-1", "1"), ("t*cos(t), t*sin(t)", "1", "3"), ("t, exp(t)", "-1", "1")):
+    for text, low, high in ((SEXTIC, "-1", "1"), (SPIRAL, "1", "3"), ("t, exp(t)", "-1", "1")):
         found &= growth(text, low, high, "parabolic_form", lambda pencil: pencil.parabola)
     return found
-
-
-def growth(text: str, low: str, high: str, form: str, member: Any) -> Evidence:
-    """Whether the error of the chosen member grows with the arc's end, and the form has no zero on the arc.
-
-    Args:
-        text: the curve.
-        low: the fixed end, as text.
-        high: the last end tried, as text.
-        form: the attribute of `PlaneJet` that must not vanish.
-        member: the Q chosen from a pencil.
-
-    >>> growth("t, exp(t)", "0", "1", "parabolic_form", lambda pencil: pencil.parabola).holds
-    True
-    """
-    certain = has_no_zero(text, low, high, form)
-    curve = ReferenceCurve(text)
-    with mp.workdps(20):
-        a, b = mp.mpf(low), mp.mpf(high)
-        pencils = [BitangentPencil(curve, a, a + (b - a) * i / ENDS) for i in range(2, ENDS + 1)]
-        errors = [pencil.hausdorff(member(pencil)) for pencil in pencils]
-    grows = all(one < two for one, two in pairwise(errors))
-    line = (
-        f"{text} from t = {low} to {ENDS - 1} ends up to {high}: error from {mp.nstr(errors[0], 6)} to "
-        f"{mp.nstr(errors[-1], 6)}, {'increasing' if grows else 'not increasing'}"
-    )
-    return Evidence(certain and grows, (line,))
-
-
-def has_no_zero(text: str, low: str, high: str, form: str) -> bool:
-    """Whether a form of the jets certainly has no zero on an interval: balls on parts of it.
-
-    >>> has_no_zero("t, exp(t)", "-1", "1", "sextactic_form")
-    True
-    >>> has_no_zero("t, t^2", "-1", "1", "parabolic_form")
-    False
-    """
-    curve = CurveBalls(parse_tuple(text))
-    with precision(64):
-        step = (arb(high) - arb(low)) / PARTS
-        parts = [(arb(low) + step * i, arb(low) + step * (i + 1), 0) for i in range(PARTS)]
-        while parts:
-            a, b, depth = parts.pop()
-            if not getattr(curve.jet(ball(a, b), 5), form).contains(0):
-                continue
-            if depth == DEPTH:
-                return False
-            parts += [(a, (a + b) / 2, depth + 1), ((a + b) / 2, b, depth + 1)]
-    return True
 
 
 def _shrinking(form: str) -> Evidence:

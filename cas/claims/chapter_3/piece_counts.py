@@ -12,6 +12,7 @@ from flint import arb
 from osculant.cas.asymptotics.end_corrections import end_correction
 from osculant.cas.asymptotics.short_arcs import arc_error, height_series
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import HALF_SEXTIC, SPIRAL, SPIRAL_ARC
 from osculant.cas.claims.proof import agrees, read, read_tuple, split, vanishes
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
 from osculant.cas.geometry.bitangent import ReferenceCurve
@@ -21,8 +22,6 @@ from osculant.cas.laws.complexity import complexity_constant
 from osculant.cas.laws.next_term import density_terms, next_constant
 from osculant.cas.numbers.balls import PRECISION, constant, precision
 
-SPIRAL = "t*cos(t), t*sin(t)"
-SEXTIC = ("4*cos(t/3)^3*cos(t), 4*cos(t/3)^3*sin(t)", "0", "3*pi/4")
 #: greedy splines of the spiral for comparison: ε, a guess of the first arc, the number of arcs; then twice as
 #: many arcs at ε/2ᵖ, which reach nearly as far
 TRIALS = {"parabola": ("1e-4", "0.22", 5), "conic": ("1e-7", "0.16", 2)}
@@ -236,7 +235,7 @@ def conic_constants(form: str) -> Evidence:
 
 def _leading_constants(form: str, primitive: str) -> Evidence:
     result = Evidence(True)
-    for claimed, (curve, low, high) in zip(split(form, 2), ((SPIRAL, "pi/6", "2*pi"), SEXTIC), strict=True):
+    for claimed, (curve, low, high) in zip(split(form, 2), (SPIRAL_ARC, HALF_SEXTIC), strict=True):
         with precision(PRECISION):
             ends = constant(parse_constant(low)), constant(parse_constant(high))
         value, _ = complexity_constant(CurveBalls(parse_tuple(curve)), primitive, *ends)

@@ -11,7 +11,7 @@ import sympy as sp
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import positive, read, read_tuple, vanishes
 from osculant.cas.geometry.bihelices import End, junction_cylinder, junction_line, junction_plane
-from osculant.cas.jets.space import Vector3, add, cross, det, dot, scale, subtract
+from osculant.cas.numbers.vectors import Vector3, add, cross, det, dot, scale, subtract
 
 omega, d, z = sp.symbols("omega d z")
 

@@ -14,6 +14,7 @@ from flint import arb
 from osculant.cas.asymptotics.bihelix_series import leading_constant
 from osculant.cas.asymptotics.space_complexity import curvature_slope_integral
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import CONICAL, MOMENT
 from osculant.cas.claims.proof import agrees, read, read_tuple, rounding, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
@@ -26,10 +27,10 @@ from osculant.cas.geometry.bihelix_rules import (
     shifted_bihelix,
     thesis_bihelix,
 )
-from osculant.cas.jets.space import SpaceJet, Vector3
+from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.balls import constant
+from osculant.cas.numbers.vectors import Vector3
 
-CONICAL, MOMENT = "t*cos(t), t*sin(t), t", "t, t^2, t^3"
 #: digits of the runs of the approximation theorem, digits asked for, first half width and number of halvings
 DIGITS, WANTED, WIDTH, HALVINGS = 80, 40, Fraction(1, 4096), 7
 

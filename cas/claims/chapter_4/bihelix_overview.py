@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_4.bihelix_error import h, kappa1, left_peak, sigma, spiral, v
+from osculant.cas.claims.chapter_4.bihelix_peaks import h, kappa1, left_peak, sigma, spiral, v
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 

@@ -12,13 +12,14 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
-from osculant.cas.claims.chapter_4.circular_helices import HELIX, SCALARS, VECTORS, agree
-from osculant.cas.claims.chapter_4.helix_parameter import angle_grows, one_to_one
-from osculant.cas.claims.chapter_4.helix_segments import (
+from osculant.cas.claims.chapter_4.helix_parameter import angle
+from osculant.cas.claims.chapter_4.helix_points import HELIX, SCALARS, VECTORS, agree
+from osculant.cas.claims.chapter_4.segment_frames import (
     RELATION,
     SPAN,
     T0,
     T1,
+    H,
     T1xT0,
     c,
     half_angles,
@@ -32,10 +33,8 @@ from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors
 from osculant.cas.geometry.short_helices import short_helix
-from osculant.cas.jets.space import add, cross, dot
+from osculant.cas.numbers.vectors import add, cross, dot
 
-#: (4.11), with R for √(t₀ − cos φ)
-H = "(phi*cos(phi/2) - 2*sin(phi/2))*R/(phi*(t0 - cos(phi)) + (1 - t0)*sin(phi))"
 R = sp.Symbol("R", positive=True)
 ROOT = (sp.numer(sp.together(R**2 - 2 * (c**2 - k**2))), R)
 
@@ -135,7 +134,7 @@ def unique_short_helix(form: str) -> Evidence:
     """
     bound = read(form, {})
     if bound == 2 * sp.pi:
-        return angle_grows() & one_to_one()
+        return angle("0, pi")
     theta = sp.Min(abs(2 * sp.pi - bound), 2 * sp.pi) / 4
     backwards = sum(bool(turning < bound) for turning in (2 * sp.pi - theta, 4 * sp.pi - theta))
     forwards = sum(bool(turning < bound) for turning in (theta, 2 * sp.pi + theta))

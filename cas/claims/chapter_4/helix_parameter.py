@@ -10,13 +10,13 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_4.helix_segments import E, F, G, phi, segment
+from osculant.cas.claims.chapter_4.segment_frames import E, F, G, phi, segment
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import integers, read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors, same
 from osculant.cas.geometry.short_helices import SegmentForms, defect_coefficient
-from osculant.cas.jets.space import dot
 from osculant.cas.numbers.signs import sign_between
+from osculant.cas.numbers.vectors import dot
 
 c, h, s = sp.symbols("c h s", positive=True)
 u, w = sp.symbols("u w", real=True)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_4.helix_segments import (
+from osculant.cas.claims.chapter_4.segment_frames import (
     RELATION,
     SCALARS,
     SPAN,
@@ -27,8 +27,8 @@ from osculant.cas.claims.chapter_4.helix_segments import (
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import read, read_tuple, vanishes
 from osculant.cas.claims.vectors import read_vectors
-from osculant.cas.jets.space import add, cross, dot
 from osculant.cas.numbers.signs import sign_between
+from osculant.cas.numbers.vectors import add, cross, dot
 
 
 @claim(

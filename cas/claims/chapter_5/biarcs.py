@@ -8,6 +8,7 @@ from flint import arb
 
 from osculant.cas.asymptotics.arc_splines import KAPPA, biarc, v, vertex_biarc, x
 from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.examples import SEXTIC, SPIRAL
 from osculant.cas.claims.proof import agrees, read, read_tuple, vanishes
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.biarcs import equioscillating, member
@@ -181,8 +182,8 @@ def complexity_values(form: str) -> Evidence:
     spiral, sextic = read_tuple(form, {}, 2)
     with precision(PRECISION):
         ends = {
-            "t*cos(t), t*sin(t)": (arb.pi() / 6, 2 * arb.pi()),
-            "4*cos(t/3)^3*cos(t), 4*cos(t/3)^3*sin(t)": (arb(0), 3 * arb.pi() / 4),
+            SPIRAL: (arb.pi() / 6, 2 * arb.pi()),
+            SEXTIC: (arb(0), 3 * arb.pi() / 4),
         }
     evidence = Evidence(True)
     for (text, (low, high)), stated in zip(ends.items(), (spiral, sextic), strict=True):

@@ -7,17 +7,21 @@ genotype g(z, u), up to multiplication by invertible matrices and to source chan
 from __future__ import annotations
 
 from collections.abc import Hashable
+from fractions import Fraction
 from itertools import pairwise, permutations, product
 from typing import Any
 
 import sympy as sp
 
 from osculant.cas.errors import UndecidedError
+from osculant.cas.formulas.parser import parse_constant
 from osculant.cas.formulas.sympy_bridge import to_sympy
 from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.groups import group
 from osculant.cas.germs.polynomials import exponents_of
 from osculant.cas.germs.reference import instance
 
+AH = group("A(H)")
 VARIABLES = "x1 x2 x3 u"
 #: degree of the germs compared at most
 DEGREE = 10
@@ -171,3 +175,9 @@ def up_to_signs(germ: Germ) -> Hashable:
                 changed.append(tuple((*t[:2], t[2] if lead > 0 else -t[2]) for t in terms))
             forms.append(tuple(sorted(changed)))
     return min(forms)
+
+
+def number(form: str, **values: int) -> Fraction:
+    """A formula in these integers."""
+    texts = {name: f"({value})" for name, value in values.items()}
+    return Fraction(parse_constant(instance(form, None, texts)).value)

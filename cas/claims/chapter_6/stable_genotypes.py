@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
+from osculant.cas.claims.chapter_6.germ_signs import AH, number
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.errors import DomainError
-from osculant.cas.formulas.parser import parse_constant
 from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.germ import Germ
-from osculant.cas.germs.groups import group
 from osculant.cas.germs.reference import instance, reference
 
-AH = group("A(H)")
 #: unstable germs of finite codimension, in several dimensions n and p
 UNSTABLE = (
     ("u**2", "u"),
@@ -53,12 +49,6 @@ BEYOND = (
     ),
     *(("z*u, z**2 ± u**2", "z u"), ("u**3, 0", "u"), ("u, z**2, 0, 0", "z u"), ("u**2, 0, 0, 0", "u")),
 )
-
-
-def number(form: str, **values: int) -> Fraction:
-    """A formula in these integers."""
-    texts = {name: f"({value})" for name, value in values.items()}
-    return Fraction(parse_constant(instance(form, None, texts)).value)
 
 
 @claim(

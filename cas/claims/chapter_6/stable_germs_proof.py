@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from osculant.cas.claims.chapter_6.germ_signs import VARIABLES, germs_of, real_class, reflected
-from osculant.cas.claims.chapter_6.stable_genotypes import AH, number
+from osculant.cas.claims.chapter_6.germ_signs import AH, VARIABLES, germs_of, number, real_class, reflected
 from osculant.cas.claims.claim import Check, Evidence, Method, claim
 from osculant.cas.claims.proof import read, vanishes
 from osculant.cas.errors import DomainError

@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 from osculant.cas.asymptotics.arc_displacement import KAPPA, displacement, optimal_pencil
 from osculant.cas.asymptotics.optimal_conic import mean_end_curvature, optimal_curvature
 from osculant.cas.asymptotics.short_arcs import arc_error, height_series, peak_height
-from osculant.cas.derivations import affine
-from osculant.cas.derivations.jets import equal
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
 from osculant.cas.jets.balls import CurveBalls
+from osculant.cas.jets.derivations import affine
+from osculant.cas.jets.derivations.plane import equal
 from osculant.cas.jets.plane import PlaneJet
 from osculant.cas.laws.next_term import curvatures
 from osculant.cas.laws.table import law_of

@@ -20,13 +20,13 @@ from osculant.cas.geometry.bihelices import (
 from osculant.cas.geometry.bihelix_rules import (
     SpaceArc,
     equioscillating_bihelix,
-    increasing_root,
     junction_tangent,
     peaks,
     shifted_bihelix,
     thesis_bihelix,
 )
-from osculant.cas.jets.space import add, cross, dot, scale, subtract
+from osculant.cas.numbers.roots import increasing_root
+from osculant.cas.numbers.vectors import add, cross, dot, scale, subtract
 
 fractions = st.fractions(min_value=-3, max_value=3, max_denominator=12)
 

@@ -11,8 +11,9 @@ from shapely.geometry import Polygon
 
 import osculant as osc
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve, root_between
+from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
 from osculant.cas.geometry.moons import equisymmetric, gauss, least_area, moons, signed_area
+from osculant.cas.numbers.roots import root_between
 from tests.oracles import hausdorff
 
 SPIRAL = "t*cos(t), t*sin(t)"

@@ -15,13 +15,13 @@ from osculant.cas.errors import DomainError
 from osculant.cas.geometry.helices import (
     CircularHelix,
     GeneralisedHelix,
+    Integrals,
     circular_integrals,
-    numeric_integrals,
-    symbolic_integrals,
 )
 from osculant.cas.geometry.short_helices import defect_coefficient, segment_forms, short_helix, turning_defect
-from osculant.cas.jets.space import SpaceJet, cross, dot, scale, subtract
+from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.balls import precision
+from osculant.cas.numbers.vectors import cross, dot, scale, subtract
 
 numbers = st.integers(-9, 9)
 triples = st.tuples(numbers, numbers, numbers)
@@ -42,6 +42,29 @@ def frame(first, second):
 
 def gap(a, b):
     return max(abs(x) for x in subtract(a, b))
+
+
+def numeric_integrals(angle):
+    """The four functions for a φ with φ(0) = 0, by mpmath's quadrature."""
+    return lambda s: Integrals(
+        mp.cos(angle(s)),
+        mp.sin(angle(s)),
+        mp.quad(lambda u: mp.cos(angle(u)), [0, s]),
+        mp.quad(lambda u: mp.sin(angle(u)), [0, s]),
+    )
+
+
+def symbolic_integrals(angle, variable):
+    """The four functions for a φ that is a sympy expression, 0 at 0."""
+
+    def at(s):
+        u = sp.Dummy("u", positive=True)
+        cosine, sine = sp.cos(angle.subs(variable, u)), sp.sin(angle.subs(variable, u))
+        return Integrals(
+            cosine.subs(u, s), sine.subs(u, s), sp.integrate(cosine, (u, 0, s)), sp.integrate(sine, (u, 0, s))
+        )
+
+    return at
 
 
 # Helices from a frame.

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from osculant.cas.errors import DomainError, FormulaError, OsculantError
+from osculant.cas.germs import reference as module
 from osculant.cas.germs.codimension import codimension, contact_bound
 from osculant.cas.germs.determinacy import determinacy
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import group
-from osculant.cas.germs.local_algebra import milnor_number, tjurina_number
+from osculant.cas.germs.local_algebra import milnor_number
 from osculant.cas.germs.reference import NAMES, entries, halved, instance, reference
 from osculant.cas.germs.unfolding import is_stable
+from tests.cas.germs.oracles import tjurina_number
 
 
 def cases(*names):
@@ -110,6 +114,19 @@ def test_every_list_has_title_source_and_entries():
         identifiers = [entry.id for entry in found.entries]
         assert len(set(identifiers)) == len(identifiers)
         assert reference(name.replace(" ", "_").upper()) is found
+
+
+def test_every_file_of_data_is_a_list():
+    files = {path.stem for path in Path(module.__file__).parent.joinpath("data").glob("*.toml")}
+    assert files == {re.sub(r"[ .]", "_", name) for name in NAMES} and len(set(NAMES)) == len(NAMES)
+
+
+def test_lists_without_a_source_or_with_doubles_are_refused():
+    found = reference("thom")
+    with pytest.raises(DomainError, match="'thom' has no source"):
+        replace(found, source=" ")
+    with pytest.raises(DomainError, match=f"two entries {found.entries[0].id!r}"):
+        replace(found, entries=(*found.entries, found.entries[0]))
 
 
 def test_tables_list_what_is_printed():

@@ -11,7 +11,8 @@ import pytest
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.germ import Germ
-from osculant.cas.germs.local_algebra import milnor_number, q_algebra, ramification, tjurina_number
+from osculant.cas.germs.local_algebra import milnor_number, q_algebra, ramification
+from tests.cas.germs.oracles import tjurina_number
 
 ANSWERS = json.loads(
     (Path(__file__).parents[2] / "data" / "singular-codimensions.json").read_text(encoding="utf-8")

@@ -16,7 +16,8 @@ from osculant.cas.germs.groups import group
 from osculant.cas.germs.local_algebra import milnor_number
 from osculant.cas.germs.parameters import codimension_of_family
 from osculant.cas.germs.secants import chord, secant_germ
-from osculant.cas.germs.weights import milnor_orlik, not_isolated, weights
+from osculant.cas.germs.weights import not_isolated, weights
+from tests.cas.germs.oracles import milnor_orlik
 
 ISOLATED = [
     "x**2 + y**2",

@@ -9,8 +9,9 @@ import pytest
 import sympy
 
 from osculant.cas.formulas.parser import parse, parse_tuple
-from osculant.cas.invariants.space import SPACE_INVARIANTS, SpaceExactInvariants
+from osculant.cas.invariants.space import SpaceExactInvariants
 from osculant.cas.invariants.values import mapped
+from osculant.cas.jets.space import SPACE_INVARIANTS
 
 CURVES = {
     "t*cos(t), t*sin(t), t": lambda t: (t * mp.cos(t), t * mp.sin(t), t),
@@ -139,7 +140,7 @@ def test_what_does_not_exist_is_none():
 
 def test_the_arc_length_is_definite_between_ends():
     two_pi = parse("2*pi")
-    helix = SpaceExactInvariants(*parse_tuple("3*cos(t), 3*sin(t), 4*t"), "t", parse("0"), two_pi)
+    helix = SpaceExactInvariants(*parse_tuple("3*cos(t), 3*sin(t), 4*t"), ends=(parse("0"), two_pi))
     assert helix["arc_length"] == 10 * sympy.pi
 
 

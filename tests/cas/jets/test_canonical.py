@@ -17,7 +17,6 @@ from osculant.cas.jets.canonical import (
     affine_arc,
     affine_graph,
     euclidean_arc,
-    euclidean_graph,
     graph,
     moving_frame,
     series_of_derivatives,
@@ -37,6 +36,12 @@ tails = st.lists(rationals, min_size=ORDER - 2, max_size=ORDER - 2)
 
 def bracket(a, b):
     return a[0] * b[1] - a[1] * b[0]
+
+
+def euclidean_graph(order, curvatures=None):
+    """The Euclidean canonical form: y(x) where the curve is γ(0) + x·T₀ + y(x)·N₀; (y, (κ₀, κ₁, …))."""
+    X, Y, kappa = euclidean_arc(order, curvatures)
+    return graph(X, Y), kappa
 
 
 def rate(curve):

@@ -12,10 +12,12 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from osculant.cas.derivations import affine
-from osculant.cas.derivations.jets import bracket, derivative, equal, phi, v, x, y
 from osculant.cas.jets.canonical import affine_graph
-from osculant.cas.jets.plane import INVARIANTS, PlaneJet, invariants_at, real_root
+from osculant.cas.jets.derivations import affine
+from osculant.cas.jets.derivations.plane import bracket, derivative, equal, phi, v, x, y
+from osculant.cas.jets.jet import real_root
+from osculant.cas.jets.plane import INVARIANTS, PlaneJet
+from tests.cas.jets.all_invariants import invariants_at
 
 GENERIC = PlaneJet(x, y, lambda _, degree: v if degree == 2 else phi)
 

@@ -12,12 +12,22 @@ from flint import arb
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.derivations.space import GENERIC as JET
-from osculant.cas.derivations.space import T, by_arc_length, combine, derivative, kappa, moved, speed, turned
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.jets.space import SpaceJet, add, cross, det, dot, scale, subtract
+from osculant.cas.jets.derivations.space import GENERIC as JET
+from osculant.cas.jets.derivations.space import (
+    T,
+    by_arc_length,
+    combine,
+    derivative,
+    kappa,
+    moved,
+    speed,
+    turned,
+)
+from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.balls import precision
 from osculant.cas.numbers.signs import sign_between
+from osculant.cas.numbers.vectors import add, cross, det, dot, scale, subtract
 
 coefficients = st.lists(st.integers(-6, 6), min_size=15, max_size=15)
 

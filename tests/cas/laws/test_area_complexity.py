@@ -12,7 +12,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.claims.chapter_3.area_splines import arc_factor
+from osculant.cas.claims.chapter_3.areas import arc_factor
 from osculant.cas.formulas.expression import ONE
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.formulas.sympy_bridge import from_sympy

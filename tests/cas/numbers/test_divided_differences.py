@@ -17,10 +17,9 @@ from osculant.cas.formulas.parser import parse
 from osculant.cas.numbers.balls import precision
 from osculant.cas.numbers.divided_differences import (
     divided_difference,
+    exact,
     hermite_data,
     newton,
-    of_expression,
-    of_formula,
     same_node,
 )
 from osculant.cas.numbers.division import (
@@ -30,13 +29,36 @@ from osculant.cas.numbers.division import (
     scaled_difference,
     simplex_moment,
 )
-from osculant.cas.numbers.fields import Balls, Multiprecision, Rationals
+from osculant.cas.numbers.fields import Balls, Multiprecision
 from osculant.cas.numbers.power_series import PowerSeries
+from osculant.cas.numbers.taylor import program
+from tests.cas.numbers.rationals import Rationals
 
 rationals = st.fractions(-5, 5, max_denominator=7)
 #: few values, so that nodes coincide often
 nodes = st.lists(st.sampled_from([Fraction(n, 2) for n in range(-3, 4)]), min_size=1, max_size=6)
 polynomials = st.lists(rationals, min_size=1, max_size=8)
+
+
+def of_expression(expression, symbol):
+    """A sympy expression as a function of one of its symbols."""
+
+    def coefficient(node, order):
+        value = sp.diff(expression, symbol, order).subs(symbol, node) / math.factorial(order)
+        if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
+            raise DomainError(f"{expression} has no derivative of order {order} at the node {node}.")
+        return value
+
+    return coefficient
+
+
+def of_formula(formula, field):
+    """A parsed formula as a function over a field of numbers, by Taylor arithmetic."""
+
+    def coefficient(node, order):
+        return exact(program([formula], order, normalised=True).run(node, field)[0][order])
+
+    return coefficient
 
 
 def taylor_of(polynomial):

@@ -20,8 +20,9 @@ from osculant.cas.formulas.graph import fold
 from osculant.cas.formulas.parser import parse
 from osculant.cas.numbers import recurrences
 from osculant.cas.numbers.balls import ball, precision
-from osculant.cas.numbers.fields import Balls, ExactNumbers, Multiprecision, Rationals
+from osculant.cas.numbers.fields import Balls, ExactNumbers, Multiprecision
 from osculant.cas.numbers.taylor import program
+from tests.cas.numbers.rationals import Rationals
 from tests.graphs import built, formulas, rationals, t
 
 ORDER = 8

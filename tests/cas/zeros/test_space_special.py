@@ -9,7 +9,7 @@ from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
 from osculant.cas.jets.balls import SpaceBalls
 from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint, ZeroForm
-from osculant.cas.zeros.space import require_finite, special_points, vanishes
+from osculant.cas.zeros.space import special_points, zeros
 
 ALL = ("cusp", "inflection", "vertex")
 
@@ -82,7 +82,7 @@ def test_forms_that_vanish_identically(text, expected):
     from osculant.cas.numbers.balls import constant
 
     names = ("cusp", "inflection", "vertex", "planar", "slope")
-    assert {name for name in names if vanishes(curve, name, constant(low), constant(high))} == expected
+    assert {name for name in names if zeros(curve).vanishes(name, constant(low), constant(high))} == expected
 
 
 @pytest.mark.parametrize(
@@ -91,7 +91,8 @@ def test_forms_that_vanish_identically(text, expected):
 )
 def test_where_the_curve_is_not_finite_is_said(text, place):
     with pytest.raises(DomainError, match=place):
-        require_finite(SpaceBalls(parse_tuple(text)), parse_constant("0"), parse_constant("2"))
+        ends = parse_constant("0"), parse_constant("2")
+        zeros(SpaceBalls(parse_tuple(text))).require_finite(*ends, ["vertex"])
 
 
 def test_zeros_of_any_form():

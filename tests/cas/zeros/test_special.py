@@ -22,17 +22,21 @@ from osculant.cas.zeros import isolate
 from osculant.cas.zeros import plane as special
 from osculant.cas.zeros.form_zeros import FormZeros
 from osculant.cas.zeros.multiplicity import order_of_zero, simple_rational
-from osculant.cas.zeros.plane import require_finite, special_points, vanishes
+from osculant.cas.zeros.plane import FORMS, zeros
 
 X = sp.Symbol("t")
 CONIC = ("cusp", "inflection", "sextactic")
 PARABOLA = ("cusp", "inflection", "parabolic")
 
 
+def require_finite(curve, low, high):
+    zeros(curve).require_finite(low, high, tuple(FORMS))
+
+
 def points(text, low, high, names=CONIC):
     curve, ends = CurveBalls(parse_tuple(text)), (parse_constant(low), parse_constant(high))
     require_finite(curve, *ends)
-    return special_points(curve, *ends, names)
+    return zeros(curve).within(*ends, names)
 
 
 def places(found, kind):
@@ -211,9 +215,10 @@ def test_conics_vanish_identically_and_nothing_else_does():
     with precision(PRECISION):
         for text, expected in curves.items():
             curve = CurveBalls(parse_tuple(text))
-            got = [vanishes(curve, name, arb(0), arb(1)) for name in ("inflection", "parabolic", "sextactic")]
+            names = ("inflection", "parabolic", "sextactic")
+            got = [zeros(curve).vanishes(name, arb(0), arb(1)) for name in names]
             assert tuple(got) == expected, text
-            assert not vanishes(curve, "cusp", arb(0), arb(1))
+            assert not zeros(curve).vanishes("cusp", arb(0), arb(1))
 
 
 def test_zeros_at_the_ends():
@@ -363,12 +368,8 @@ def counted(monkeypatch):
 
 def test_what_the_work_limit_leaves_is_undecided(monkeypatch, counted):
     monkeypatch.setattr(isolate, "WORK_LIMIT", 25)
-    found = special_points(
-        CurveBalls(parse_tuple("t, sin(40*t)")),
-        parse_constant("0"),
-        parse_constant("6"),
-        ("cusp", "inflection"),
-    )
+    wave = zeros(CurveBalls(parse_tuple("t, sin(40*t)")))
+    found = wave.within(parse_constant("0"), parse_constant("6"), ("cusp", "inflection"))
     assert len(counted) <= 50
     undecided = [float(p.at.mid()) for p in found if not p.decided]
     assert len(undecided) >= 2
@@ -396,7 +397,7 @@ def test_a_formula_that_cancels_too_much_is_refused(monkeypatch, counted):
     ],
 )
 def test_ordinary_work_is_far_below_the_limit(text, counted):
-    special_points(CurveBalls(parse_tuple(text)), parse_constant("1"), parse_constant("2"), CONIC)
+    zeros(CurveBalls(parse_tuple(text))).within(parse_constant("1"), parse_constant("2"), CONIC)
     assert len(counted) < isolate.WORK_LIMIT  # two for each interval
 
 

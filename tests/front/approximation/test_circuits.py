@@ -30,7 +30,9 @@ def error_by_bisection(around, start, count):
     while high > low * (1 + 1e-9):
         middle = math.sqrt(low * high)
         low, high = (
-            (low, middle) if around.within(middle, start, count) >= start + around.period else (middle, high)
+            (low, middle)
+            if around.end_within(middle, start, count) >= start + around.period
+            else (middle, high)
         )
     return high
 

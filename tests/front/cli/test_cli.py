@@ -24,6 +24,7 @@ from osculant.cli.main import main
 from osculant.cli.splines import print_spline
 from osculant.files.registry import suffixes
 from osculant.files.writing import listed
+from osculant.kernels import jit
 from tests.front.samples import circle, spline_of
 
 DATA = Path(__file__).parents[2] / "data"

@@ -19,7 +19,7 @@ from osculant.cas.errors import OsculantError
 from osculant.cli.options import check_files
 from osculant.files.registry import WRITERS, register, writer_of, writers
 from osculant.pieces.kinds import KINDS
-from osculant.primitives.arc_kinds import ARC_KINDS, may_become
+from osculant.primitives.table import may_become, usual_first
 from tests.front.samples import written
 
 FOLDER = Path(osc.__file__).parent
@@ -93,14 +93,14 @@ def test_kinds_that_it_cannot_hold_are_refused(writer):
 )
 def test_pieces_are_of_the_kinds_that_their_primitive_tells(primitive, formulas):
     splines = [osc.approximate(osc.curve(formula, "1/4", 2), primitive, 1e-3) for formula in formulas]
-    assert {arc.kind for spline in splines for arc in spline.chain.arcs} <= set(ARC_KINDS[primitive])
+    assert {arc.kind for spline in splines for arc in spline.chain.arcs} <= set(may_become(primitive)[0].arcs)
 
 
 def test_the_command_line_refuses_before_the_work_what_no_format_can_hold(tmp_path):
-    for primitive in (*ARC_KINDS, "best", None):
+    for primitive in (*usual_first(2), *usual_first(3), "best", None):
         for writer in WRITERS:
             file = str(tmp_path / f"a{writer.suffixes[0]}")
-            if all(writer.holds(ARC_KINDS[name]) for name in may_become(primitive)):
+            if all(writer.holds(entry.arcs) for entry in may_become(primitive)):
                 check_files([file], None, primitive)
             else:
                 with pytest.raises(OsculantError, match=r"it would hold lines.* choose --with .*biarc"):

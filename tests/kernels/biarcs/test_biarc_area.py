@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from osculant.cas.asymptotics import arc_splines
 from osculant.cas.geometry import biarcs as reference
-from osculant.cas.geometry.bitangent import root_between
+from osculant.cas.numbers.roots import root_between
 from osculant.kernels.biarcs import area_exchange, area_scan, scan
 from osculant.kernels.biarcs.family import Biarc, family, is_short, member
 from osculant.kernels.biarcs.records import EquisymmetricBiarc

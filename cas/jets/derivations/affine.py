@@ -10,7 +10,7 @@ from functools import cache
 
 import sympy as sp
 
-from osculant.cas.derivations.jets import Vector, along, bracket, derivative, phi, v, x, y
+from osculant.cas.jets.derivations.plane import Vector, along, bracket, derivative, phi, v, x, y
 
 
 def by_affine_arc_length(order: int) -> list[Vector]:

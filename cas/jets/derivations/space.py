@@ -13,7 +13,8 @@ from typing import Any
 import sympy as sp
 
 from osculant.cas.errors import DomainError
-from osculant.cas.jets.space import SpaceJet, Vector3, add, scale
+from osculant.cas.jets.space import SpaceJet
+from osculant.cas.numbers.vectors import Vector3, add, scale
 
 ORDER = 5
 x = sp.symbols(f"x:{ORDER + 1}", real=True)
