@@ -7,6 +7,7 @@ the same in two ways, and says of every arc how far it turns and how many sample
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -14,8 +15,9 @@ import numpy as np
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import pace, source
 
-#: panels of a stretch at first; a panel is halved at most so often; rows at most
-PANELS, DEPTH, MOST = 16, 40, 200_000
+#: panels of a stretch at first; how many of them are kept open, and the part of the stretch that is not
+#: halved any more; rows at most
+PANELS, DEPTH, NARROWEST, MOST = 16, 40, 2.0**-40, 200_000
 #: most that a panel may turn, and its turning and its length may differ, in radians and in parts, between
 #: Simpson's rule on the whole and on its halves
 TURN, AGREED = 0.5, 0.05
@@ -58,7 +60,7 @@ def lay_out(fit: Any, address: int, place: Any, a: float, b: float, course: np.n
                 and abs(turned - fine_turned) <= AGREED * TURN
                 and abs(length - fine) <= AGREED * fine
             )
-            if not agreed and open_ends <= DEPTH and middle > time and middle < end:
+            if not agreed and open_ends <= DEPTH and step > NARROWEST * (b - a):
                 new = pending[open_ends]
                 new[0], new[1], new[2] = middle, speed2, rate2
                 open_ends += 1
@@ -66,8 +68,10 @@ def lay_out(fit: Any, address: int, place: Any, a: float, b: float, course: np.n
             if count == course.shape[0]:
                 return -1
             course[count, TIME] = end
-            course[count, TURNED] = course[count - 1, TURNED] + (fine_turned if fine_turned > 0.0 else 0.0)
-            course[count, LENGTH] = course[count - 1, LENGTH] + (fine if fine > 0.0 else 0.0)
+            course[count, TURNED] = course[count - 1, TURNED] + (
+                fine_turned if fine_turned < math.inf else 0.0
+            )
+            course[count, LENGTH] = course[count - 1, LENGTH] + (fine if fine < math.inf else 0.0)
             count += 1
             time, speed, rate = end, end_speed, end_rate
             open_ends -= 1

@@ -160,16 +160,26 @@ class _Listener(event.Listener):
     """Calls once, when numba compiles for the first time."""
 
     def __init__(self, call: Callable[[], None]) -> None:
-        self.call = call
+        self.call: Callable[[], None] | None = call
 
     def on_start(self, happening: event.Event) -> None:
-        event.unregister("numba:compile", self)  # type: ignore[no-untyped-call]
-        self.call()
+        call, self.call = self.call, None
+        if call is not None:
+            call()
 
     def on_end(self, happening: event.Event) -> None:
         """Nothing: the start is told."""
 
 
+_listeners: list[_Listener] = []
+
+
 def when_compiling(call: Callable[[], None]) -> None:
-    """Call ``call`` once, as soon as a kernel has to be compiled in this process and is not found on disk."""
-    event.register("numba:compile", _Listener(call))  # type: ignore[no-untyped-call]
+    """Call ``call`` once, as soon as a kernel has to be compiled in this process and is not found on disk.
+
+    It takes the place of what was to be called before.
+    """
+    if not _listeners:
+        _listeners.append(_Listener(call))
+        event.register("numba:compile", _listeners[0])  # type: ignore[no-untyped-call]
+    _listeners[0].call = call

@@ -14,7 +14,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from osculant.thesis.printed import SEXTIC_HALF, SPIRAL, Curve
+from osculant.cas.claims.examples import CONICAL, HALF_SEXTIC, MOMENT, SPIRAL_ARC
+
+#: a formula and the ends of its interval
+Curve = tuple[str, str, str]
 
 
 @dataclass(frozen=True)
@@ -22,7 +25,7 @@ class LostTable:
     """What is counted in a table.
 
     Attributes:
-        subject: the pieces, as the caption names them.
+        subject: the pieces, as the caption names them; ``{}`` is the curve.
         primitive: likewise, as `osculant.approximate` calls them.
         curves: by name.
         tolerances: of the rows.
@@ -38,7 +41,7 @@ class LostTable:
 
 def _in_space(name: str, curve: Curve) -> LostTable:
     return LostTable(
-        f"Bihelices of {curve[0]}",
+        "Bihelices of {}",
         "bihelix",
         {name: curve},
         (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8),
@@ -47,8 +50,8 @@ def _in_space(name: str, curve: Curve) -> LostTable:
 
 
 LOST = {
-    "4.1": _in_space("conical spiral", ("t*cos(t), t*sin(t), t", "pi/6", "2*pi")),
-    "4.2": _in_space("moment curve", ("t, t**2, t**3", "0", "1")),
+    "4.1": _in_space("conical spiral", (CONICAL, "pi/6", "2*pi")),
+    "4.2": _in_space("moment curve", (MOMENT, "0", "1")),
     "4.3": _in_space(
         "spherical helix",
         ("4*cos(t) - cos(4*t), 4*sin(t) - sin(4*t), 4*cos(3*t/2)", "pi/12", "7*pi/12"),
@@ -56,7 +59,7 @@ LOST = {
     "5": LostTable(
         "Biarcs",
         "biarc",
-        {"spiral": SPIRAL, "Cayley's sextic, one half": SEXTIC_HALF},
+        {"spiral": SPIRAL_ARC, "Cayley's sextic, one half": HALF_SEXTIC},
         (1e-2, 1e-3, 1e-4, 1e-6, 1e-8),
         {"biarc": None},
     ),
@@ -115,5 +118,5 @@ def count_table(number: str, progress: Callable[[float], None] | None = None) ->
             rows.append(CountRow(name, tolerance, pieces, law.predicted(tolerance)))
             if progress is not None:
                 progress(len(rows) / (len(lost.curves) * len(lost.tolerances)))
-    caption = f"{lost.subject}, Hausdorff distance: pieces found and theory"
+    caption = f"{lost.subject.format(subject.text)}, Hausdorff distance: pieces found and theory"
     return CountTable(number, caption, tuple(rows), constants)

@@ -12,17 +12,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
 
-#: a formula and the ends of its interval
-Curve = tuple[str, str, str]
+from osculant.cas.claims.examples import SEXTIC, SPIRAL_ARC
+
 Quantity = Literal["experiment", "theory"]
 #: what the tolerance is granted to; the number of pieces is that of the whole curve in any case
 Reading = Literal["whole curve", "each half"]
-
-SPIRAL: Curve = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
-_SEXTIC = "4*cos(t/3)**3*cos(t), 4*cos(t/3)**3*sin(t)"
-#: Cayley's sextic
-SEXTIC: Curve = (_SEXTIC, "-3*pi/4", "3*pi/4")
-SEXTIC_HALF: Curve = (_SEXTIC, "0", "3*pi/4")
 
 
 @dataclass(frozen=True)
@@ -72,8 +66,8 @@ class PrintedTable:
         return [(*ends, ()) for ends in pairwise((self.low, *self.split_at, self.high))]
 
 
-_SPIRAL_CURVE = (*SPIRAL, (), "the curve")
-_SEXTIC_CURVE = (*SEXTIC, ("0",), "one half")
+_SPIRAL_CURVE = (*SPIRAL_ARC, (), "the curve")
+_SEXTIC_CURVE = (SEXTIC, "-3*pi/4", "3*pi/4", ("0",), "one half")
 _SPIRAL = {"parabola": (5, 9, 15, 26, 46, 82, 145, 257), "conic": (3, 4, 6, 9, 13, 21, 32, 51)}
 _SPIRAL_AREA = {"parabola": (9, 15, 26, 46, 82, 146), "conic": (4, 6, 9, 13, 21, 33)}
 _SEXTIC_PARABOLA = (6, 8, 14, 24, 44, 76, 134, 238)

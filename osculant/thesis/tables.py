@@ -11,6 +11,8 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError
+from osculant.cas.formulas.expression import to_text
+from osculant.cas.formulas.parser import parse_tuple
 from osculant.thesis.count_tables import LOST, CountTable, count_table
 from osculant.thesis.printed import PRINTED, Erratum, PrintedTable, Quantity, Reading
 
@@ -71,7 +73,7 @@ class ComputedTable:
             "table": printed.number,
             "caption": printed.caption,
             "metric": printed.metric,
-            "curve": printed.formula,
+            "curve": ", ".join(map(to_text, parse_tuple(printed.formula))),
             "from": printed.low,
             "to": printed.high,
             "split_at": list(printed.split_at),
