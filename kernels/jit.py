@@ -3,14 +3,13 @@
 A kernel is compiled when it is first called: nogil, IEEE semantics (no fastmath).  Kernels called by kernels
 become part of their callers, without the wrappers that Python needs; what Python calls is kept on disk, in a
 folder for each family.  numba's cache does not notice that a callee in another file changed, so the folder's
-name carries a hash of all sources that the code is made from: an edit recompiles what it touches.
+name carries a hash of all sources of the family's code: an edit recompiles the families that it touches.
 """
 
 from __future__ import annotations
 
 import hashlib
 import os
-import pickle
 import re
 import shutil
 import tempfile
@@ -30,8 +29,6 @@ KEPT_VERSIONS = 3
 #: what all kernels are compiled with, and those that only kernels call
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
 BARE: Any = {**OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-#: what numba raises for entries of its cache that are damaged, or that it cannot write
-UNUSABLE = (pickle.UnpicklingError, EOFError, OSError)
 
 #: the room, and how its modules import each other
 ROOM = Path(__file__).parent
@@ -73,18 +70,16 @@ class Kernel:
         face = self._faces.get(first) or self._face(first)
         try:
             return face(*args)
-        except UNUSABLE:  # before anything was computed: kernels raise nothing
+        except Exception:  # kernels raise nothing: damaged entries of the cache raise whatever pickle does,
+            # before anything was computed; what is no fault of theirs is raised again
             self._faces[first] = numba.njit(**OPTIONS)(self._function)
             return self._faces[first](*args)
 
     def _face(self, first: type) -> Any:
         """The machine code that Python calls with such a first argument, from disk if it is there."""
-        modules = [self.__module__]
-        if first.__module__.startswith(f"{PACKAGE}."):
-            modules.append(first.__module__)
         settings: Any = config  # numba's settings, filled in at run time
         before = settings.CACHE_DIR
-        settings.CACHE_DIR = str(_folder(tuple(modules)))
+        settings.CACHE_DIR = str(folder_of(family_of(self.__module__, first.__module__)))
         try:
             face = numba.njit(cache=True, **OPTIONS)(self._function)
         finally:
@@ -107,7 +102,7 @@ def sources(modules: Iterable[str]) -> list[Path]:
             found[path] = None
             for parent, names in IMPORTS.findall(path.read_text(encoding="utf-8")):
                 pending += [parent, *(f"{parent}.{name}" for name in re.findall(r"\w+", names))]
-    return sorted(found, reverse=True)
+    return sorted(found)
 
 
 def _file(module: str) -> Path | None:
@@ -116,14 +111,37 @@ def _file(module: str) -> Path | None:
     return path.with_suffix(".py") if path.with_suffix(".py").is_file() else None
 
 
-@cache
-def _folder(modules: tuple[str, ...]) -> Path:
-    """The folder of the machine code made from these modules, the last of which names the family."""
+def family_of(*modules: str) -> str:
+    """The family of the first of the modules that is in one, a folder of this room; else "generic".
+
+    >>> family_of("osculant.kernels.search", "osculant.kernels.conics.records")
+    'conics'
+    """
+    for module in modules:
+        package, _, rest = module.partition(f"{PACKAGE}.")
+        if not package and "." in rest:
+            return rest.split(".")[0]
+    return "generic"
+
+
+def modules_of(family: str) -> list[str]:
+    """The modules of a family, and the generic ones, which have machine code in its folder."""
+    own = [f"{PACKAGE}.{family}.{path.stem}" for path in (ROOM / family).glob("*.py")]
+    return own + [f"{PACKAGE}.{path.stem}" for path in ROOM.glob("*.py")]
+
+
+def fingerprint(family: str) -> str:
+    """A hash of all sources of a family's machine code."""
     digest = hashlib.sha256(numba.__version__.encode())
-    for path in sources(modules):
+    for path in sources(modules_of(family)):
         digest.update(path.read_bytes())
-    family = modules[-1].removeprefix(f"{PACKAGE}.").split(".")[0]
-    folder = cache_root() / f"kernels-{family}-{digest.hexdigest()[:16]}"
+    return digest.hexdigest()[:16]
+
+
+@cache
+def folder_of(family: str) -> Path:
+    """The folder of a family's machine code, made if it is not there; then old versions go."""
+    folder = cache_root() / f"kernels-{family}-{fingerprint(family)}"
     try:
         fresh = not folder.is_dir()
         folder.mkdir(parents=True, exist_ok=True)
