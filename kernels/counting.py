@@ -8,13 +8,14 @@ with n; nor does it with any lower bound in the place of f.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
-from osculant.kernels.conics.scan import workspace
-from osculant.kernels.curves.plane import JET_SIZE, Frame, Place
+from osculant.kernels.course import farthest
 from osculant.kernels.jit import kernel
-from osculant.kernels.search import careful_arc, frame_at, peaks_at_first, quick_arc
+from osculant.kernels.operations import begin, rules, source, workspace
+from osculant.kernels.search import careful_arc, frame_at, next_length, quick_arc
 
 #: errors of pieces that are too large, in parts of the largest allowed
 LARGER, LARGEST = 1.002, 1.02
@@ -24,34 +25,33 @@ MOST_PIECES = 10_000_000
 
 @kernel
 def count_larger(
-    code: int, address: int, place: Place, a: float, start: Frame, stop: float, last: Frame,
-    high: float, length: float,
+    fit: Any, address: int, place: Any, a: float, start: Any, stop: float, last: Any,
+    high: float, length: float, course: np.ndarray[Any, Any],
 ) -> int:  # fmt: skip
     """How many pieces the stretch takes if each is a little larger than ``high``: at most the greedy number.
 
-    Arguments as of `greedy.spline`.  The pieces are not measured again: one that is too long leaves fewer.
+    Arguments as of `search.spline`; errors have to grow with arcs.  The pieces are not measured again: one
+    that is too long leaves fewer.
     """
-    source = (address, place, np.empty(JET_SIZE))
-    space = workspace()
-    peaks = peaks_at_first(code)
+    curve, space = source(fit, address, place), workspace(fit)
+    rule = rules(fit)
+    low, high = LARGER * high, LARGEST * high
+    exponent, state = rule.order, begin(fit)
     previous = math.nan
     for count in range(1, MOST_PIECES):
-        b, _, after, found = quick_arc(
-            code, source, a, start, stop, last, length, LARGER * high, LARGEST * high, peaks, space
+        far = farthest(course, a, stop, rule.turning)
+        b, _, after, exponent, found = quick_arc(
+            fit, curve, a, start, stop, last, far, length, low, high, exponent, state, space
         )
         if found:
-            peaks = after
+            state = after
         else:
-            b, q, _ = careful_arc(
-                code, source, a, start, stop, last, length, LARGER * high, LARGEST * high, space
-            )
-            if math.isnan(q):
+            b, _, _, _ = careful_arc(fit, curve, a, start, stop, last, far, length, low, high, course, space)
+            exponent = rule.order
+            if not b > a:
                 return count
         if b == stop:
             return count
-        length = b - a
-        if previous > 0.0:
-            length *= min(2.0, max(0.5, length / previous))
-        previous = b - a
-        start, a = frame_at(source, b, stop, last), b
+        length, previous = next_length(b - a, previous), b - a
+        start, a = frame_at(fit, curve, b, stop, last), b
     return MOST_PIECES

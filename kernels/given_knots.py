@@ -11,78 +11,94 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.conics.exchange import Peaks
-from osculant.kernels.conics.minimax import minimax
-from osculant.kernels.conics.scan import Space, workspace
-from osculant.kernels.curves.plane import JET_SIZE, Frame, Place, Source
+from osculant.kernels.course import resolving, turns
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import BIARC, CONIC, PARABOLA
-from osculant.kernels.search import CHECKED, ENDS_AT_STRETCH, frame_at, measured, peaks_at_first, record, step
+from osculant.kernels.operations import (
+    ERROR,
+    REASON,
+    A,
+    B,
+    begin,
+    best,
+    confirm,
+    operation,
+    record,
+    renew,
+    rules,
+    source,
+    step,
+    workspace,
+)
+from osculant.kernels.search import ENDS_AT_STRETCH, frame_at
 
-#: fast steps on one arc; what they must come to: an unrest below `SETTLED`, which Newton's method squares,
-#: and an error that the measurement confirms to this part
-VISITS, SETTLED, CONFIRMED = 12, 1e-9, 1e-6
-#: the same for areas, whose unrest is the error itself
-EXACT = 1e-12
+#: fast steps on one arc, and the part of the error that the measurement has to confirm it to
+VISITS, CONFIRMED = 12, 1e-6
+
+
+@operation
+def settle(
+    fit: Any, curve: Any, a: Any, start: Any, b: Any, end: Any, state: Any, points: Any, space: Any
+) -> Any:
+    """(error, piece, state, settled) of the best piece of a given arc, its error smooth in the ends."""
+    state = renew(fit, state)
+    calm = rules(fit).settled
+    error, choice, settled, moved = step(fit, curve, a, start, b, end, state, calm, space)
+    for _ in range(VISITS - 1):
+        if not error > 0.0 or settled:
+            break
+        state = moved
+        error, choice, settled, moved = step(fit, curve, a, start, b, end, state, calm, space)
+    checked, piece = confirm(fit, choice, curve, a, start, b, end, points, space)
+    agreed = abs(checked - error) <= CONFIRMED * error + curve.place.noise
+    return error, piece, moved, settled and error > 0.0 and agreed
 
 
 @kernel
-def settle(
-    primitive: int, source: Source, a: float, start: Frame, b: float, end: Frame, peaks: Peaks, space: Space
-) -> tuple[float, float, Peaks, bool]:  # fmt: skip
-    """(error, Q, peaks, settled) of the arc [a, b] by fast steps."""
-    calm = SETTLED if primitive in (PARABOLA, CONIC, BIARC) else EXACT
-    steeps, before = (math.nan, math.nan), (math.nan, math.nan)
-    error, q = math.nan, math.nan
-    for _ in range(VISITS):
-        error, q, unrest, moved, steeps = step(
-            primitive, source, a, start, b, end, peaks, steeps, before, calm, space
-        )
-        if not error > 0.0:
-            return error, q, peaks, False
-        before, peaks = (peaks[0], peaks[1]), moved
-        if unrest <= calm:
-            return error, q, peaks, True
-    return error, q, peaks, False
+def best_between(
+    fit: Any, curve: Any, a: float, start: Any, b: float, end: Any, state: Any,
+    course: np.ndarray[Any, Any], space: Any,
+) -> tuple[float, Any, Any]:  # fmt: skip
+    """(error, piece, state) of the best piece of the arc [a, b]; infinite if there is none."""
+    rule = rules(fit)
+    points = resolving(course, a, b, rule.checked)
+    error, piece, state, settled = settle(fit, curve, a, start, b, end, state, points, space)
+    if not settled:
+        points = resolving(course, a, b, rule.careful)
+        error, piece = best(fit, curve, a, start, b, end, points, space)
+        state = begin(fit)
+    if not error < math.inf or turns(course, a, b) > rule.turning:
+        error = math.inf
+    return error, piece, state
 
 
 @kernel
 def fit_arcs(
-    code: int, address: int, place: Place, knots: np.ndarray[Any, Any], start: Frame, last: Frame,
-    table: np.ndarray[Any, Any],
+    fit: Any, address: int, place: Any, knots: np.ndarray[Any, Any], start: Any, last: Any,
+    course: np.ndarray[Any, Any], table: np.ndarray[Any, Any],
 ) -> None:  # fmt: skip
-    """Fill ``table`` (m, `COLUMNS`) with the best pieces of the arcs between m + 1 neighbouring knots.
+    """Fill ``table`` with the best pieces of the m arcs between m + 1 neighbouring knots.
 
     Args:
-        code: of `osculant.kernels.primitives`.
+        fit: a record (`osculant.kernels.operations`).
         address: of the compiled jet.
         place: of the kernel's coordinates.
         knots: increasing parameters (m + 1,).
         start: the (limit) frame at the first knot.
         last: at the last one.
-        table: rows for `record`; the error of an arc without a proper piece is infinite, and its Q NaN.
+        course: of the stretch (`osculant.kernels.course`).
+        table: (m, columns of the family); the error of an arc without a proper piece is infinite.
 
-    Errors are those of `minimax`, as smooth in the knots as rounding permits.
+    Errors are those of `best`, as smooth in the knots as rounding permits.
     """
-    source = (address, place, np.empty(JET_SIZE))
-    space = workspace()
-    shape = peaks_at_first(code)
-    peaks = shape
+    curve, space = source(fit, address, place), workspace(fit)
+    state = begin(fit)
     count = knots.shape[0] - 1
     stop = knots[count]
     for i in range(count):
         a, b = knots[i], knots[i + 1]
-        end = frame_at(source, b, stop, last)
-        error, q, after, found = settle(code, source, a, start, b, end, peaks, space)
-        if found:
-            checked = measured(code, q, source, a, start, b, end, CHECKED, space)
-            found = abs(checked - error) <= CONFIRMED * error + place[4]
-        if found:
-            peaks = after
-        else:
-            error, q = minimax(code, source, a, start, b, end, space)
-            peaks = shape
-        if not error < math.inf:
-            error, q = math.inf, math.nan
-        record(code, table[i], a, b, q, error, ENDS_AT_STRETCH, start, end, place[4])
+        end = frame_at(fit, curve, b, stop, last)
+        error, piece, state = best_between(fit, curve, a, start, b, end, state, course, space)
+        row = table[i]
+        row[A], row[B], row[ERROR], row[REASON] = a, b, error, ENDS_AT_STRETCH
+        record(fit, row, piece, start, end, curve)
         start = end

@@ -1,29 +1,39 @@
 """The one decorator of all kernels, and where their machine code is kept.
 
-Kernels are compiled once per machine and version: nogil, cached on disk, IEEE semantics (no
-fastmath).  numba's cache does not notice that a callee in another file changed, so the folder's
-name carries a hash of all kernel sources; older folders are deleted.
+A kernel is compiled when it is first called: nogil, IEEE semantics (no fastmath).  Kernels called by kernels
+become part of their callers, without the wrappers that Python needs; what Python calls is kept on disk, in a
+folder for each family.  numba's cache does not notice that a callee in another file changed, so the folder's
+name carries a hash of all sources of the family's code: an edit recompiles the families that it touches.
 """
 
 from __future__ import annotations
 
 import hashlib
 import os
+import re
 import shutil
-import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from functools import cache, update_wrapper
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
 import platformdirs
-from numba.core import config
+from numba.core import config, event
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-#: how many compiled versions of the kernels may lie in the cache folder
+#: how many versions of one family's machine code may lie in the cache folder
 KEPT_VERSIONS = 3
+#: what all kernels are compiled with, and those that only kernels call
+OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy"}
+BARE: Any = {**OPTIONS, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+
+#: the room, and how its modules import each other
+ROOM = Path(__file__).parent
+PACKAGE = __name__.rpartition(".")[0]
+IMPORTS = re.compile(rf"^ *from ({re.escape(PACKAGE)}[\w.]*) import (\([^)]*\)|[^\n]*)", re.MULTILINE)
 
 
 def cache_root() -> Path:
@@ -31,52 +41,145 @@ def cache_root() -> Path:
     return Path(os.environ.get("OSCULANT_CACHE") or platformdirs.user_cache_dir("osculant"))
 
 
-def _source_hash() -> str:
+def kernel(function: Function) -> Function:
+    """Compile a function of numbers and contiguous arrays when it is first called."""
+    return cast(Function, Kernel(function))
+
+
+class Kernel:
+    """What `kernel` makes: kernels call its machine code, Python calls a face of it.
+
+    A generic kernel has a face for each family: the type of its first argument tells which
+    (`osculant.kernels.operations`).
+    """
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        update_wrapper(self, function)
+        self._function = function
+        self._bare = numba.njit(**BARE)(function)
+        self._faces: dict[type, Any] = {}
+
+    @property
+    def _numba_type_(self) -> Any:
+        """What numba takes it for inside a kernel."""
+        return self._bare._numba_type_
+
+    def __call__(self, *args: Any) -> Any:
+        """Call the machine code, after compiling it if it is not there yet."""
+        first = type(args[0]) if args else type(None)
+        face = self._faces.get(first) or self._face(first)
+        try:
+            return face(*args)
+        except Exception:  # kernels raise nothing: damaged entries of the cache raise whatever pickle does,
+            # before anything was computed; what is no fault of theirs is raised again
+            self._faces[first] = numba.njit(**OPTIONS)(self._function)
+            return self._faces[first](*args)
+
+    def _face(self, first: type) -> Any:
+        """The machine code that Python calls with such a first argument, from disk if it is there."""
+        settings: Any = config  # numba's settings, filled in at run time
+        before = settings.CACHE_DIR
+        settings.CACHE_DIR = str(folder_of(family_of(self.__module__, first.__module__)))
+        try:
+            face = numba.njit(cache=True, **OPTIONS)(self._function)
+        finally:
+            settings.CACHE_DIR = before
+        self._faces[first] = face
+        return face
+
+
+def sources(modules: Iterable[str]) -> list[Path]:
+    """The files of kernels that code in these modules is made from, themselves among them, in order.
+
+    >>> [path.stem for path in sources(["osculant.kernels.curves.vectors"])]
+    ['vectors', 'jit']
+    """
+    found: dict[Path, None] = {}
+    pending = list(modules)
+    while pending:
+        path = _file(pending.pop())
+        if path is not None and path not in found:
+            found[path] = None
+            for parent, names in IMPORTS.findall(path.read_text(encoding="utf-8")):
+                pending += [parent, *(f"{parent}.{name}" for name in re.findall(r"\w+", names))]
+    return sorted(found)
+
+
+def _file(module: str) -> Path | None:
+    """The file of a module of this room, None for the name of something else in a module."""
+    path = ROOM.joinpath(*module.removeprefix(PACKAGE).strip(".").split("."))
+    return path.with_suffix(".py") if path.with_suffix(".py").is_file() else None
+
+
+def family_of(*modules: str) -> str:
+    """The family of the first of the modules that is in one, a folder of this room; else "generic".
+
+    >>> family_of("osculant.kernels.search", "osculant.kernels.conics.records")
+    'conics'
+    """
+    for module in modules:
+        package, _, rest = module.partition(f"{PACKAGE}.")
+        if not package and "." in rest:
+            return rest.split(".")[0]
+    return "generic"
+
+
+def modules_of(family: str) -> list[str]:
+    """The modules of a family, and the generic ones, which have machine code in its folder."""
+    own = [f"{PACKAGE}.{family}.{path.stem}" for path in (ROOM / family).glob("*.py")]
+    return own + [f"{PACKAGE}.{path.stem}" for path in ROOM.glob("*.py")]
+
+
+def fingerprint(family: str) -> str:
+    """A hash of all sources of a family's machine code."""
     digest = hashlib.sha256(numba.__version__.encode())
-    for path in sorted(Path(__file__).parent.rglob("*.py")):
+    for path in sources(modules_of(family)):
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 
 
-def _prepare_folder() -> tuple[Path, bool]:
-    """The folder of this version's machine code, and whether it had to be made."""
-    folder = cache_root() / f"kernels-{_source_hash()}"
+@cache
+def folder_of(family: str) -> Path:
+    """The folder of a family's machine code, made if it is not there; then old versions go."""
+    folder = cache_root() / f"kernels-{family}-{fingerprint(family)}"
     try:
         fresh = not folder.is_dir()
         folder.mkdir(parents=True, exist_ok=True)
         if fresh:
-            siblings = sorted(folder.parent.glob("kernels-*"), key=lambda p: p.stat().st_mtime)
+            siblings = sorted(folder.parent.glob(f"kernels-{family}-*"), key=lambda p: p.stat().st_mtime)
             for old in siblings[:-KEPT_VERSIONS]:
                 shutil.rmtree(old, ignore_errors=True)
         if not os.access(folder, os.W_OK):
             raise OSError
-        return folder, fresh
+        return folder
     except OSError:  # a read-only home: compile anew in every process
-        return Path(tempfile.mkdtemp(prefix="osculant-")), True
+        return Path(tempfile.mkdtemp(prefix="osculant-"))
 
 
-#: where the machine code lies; ``FRESH`` is true if nothing had been compiled when it was made
-FOLDER, FRESH = _prepare_folder()
+class _Listener(event.Listener):
+    """Calls once, when numba compiles for the first time."""
+
+    def __init__(self, call: Callable[[], None]) -> None:
+        self.call: Callable[[], None] | None = call
+
+    def on_start(self, happening: event.Event) -> None:
+        call, self.call = self.call, None
+        if call is not None:
+            call()
+
+    def on_end(self, happening: event.Event) -> None:
+        """Nothing: the start is told."""
 
 
-def kernel(function: Function) -> Function:
-    """Compile a function of numbers and contiguous arrays: cached, nogil, no fastmath."""
-    settings: Any = config  # numba's settings, filled in at run time
-    before = settings.CACHE_DIR
-    settings.CACHE_DIR = str(FOLDER)
-    try:
-        compiled = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
-    finally:
-        settings.CACHE_DIR = before
-    return cast(Function, compiled)
+_listeners: list[_Listener] = []
 
 
-def announce() -> None:
-    """Say on stderr, once, that this machine's first run compiles kernels."""
-    global FRESH
-    if FRESH:
-        print(
-            "osculant: compiling its kernels for this machine, once; this takes half a minute.",
-            file=sys.stderr,
-        )
-        FRESH = False
+def when_compiling(call: Callable[[], None]) -> None:
+    """Call ``call`` once, as soon as a kernel has to be compiled in this process and is not found on disk.
+
+    It takes the place of what was to be called before.
+    """
+    if not _listeners:
+        _listeners.append(_Listener(call))
+        event.register("numba:compile", _listeners[0])  # type: ignore[no-untyped-call]
+    _listeners[0].call = call

@@ -7,23 +7,15 @@ spline, where nine digits and a few thousand samples of machine code do, and for
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from osculant.kernels.curves.invariants import JET_SIZE
-from osculant.kernels.curves.plane import call_jet
+from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.gauss import NODES, SIZES, WEIGHTS
-from osculant.kernels.generated.laws import (
-    biarc_area_density,
-    biarc_density,
-    conic_area_density,
-    conic_density,
-    parabola_area_density,
-    parabola_density,
-)
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import AREA_PARABOLA, BIARC, CONIC, EQUISYMMETRIC_BIARC, PARABOLA
+from osculant.kernels.operations import operation
 
 #: steps of the quadrature are 2^−COARSEST … 2^−FINEST; then the interval is halved, DEPTH times at most
 COARSEST, FINEST, DEPTH = 2, 5, 30
@@ -31,35 +23,48 @@ COARSEST, FINEST, DEPTH = 2, 5, 30
 MOST = 2000
 #: two steps that agree to this are good to about its square
 AGREEMENT = 1e-6
+#: doubles of a jet of order 5 in the plane, or of order 3 in space
+JET_SIZE = 12
 #: the argument of sinh at which the nodes' distances from the ends are below a double's resolution
 FARTHEST = 3.6
 
 
-@kernel
-def density(code: int, address: int, scale: float, jet: np.ndarray[Any, Any], t: float) -> float:
-    """The density of the law with that code at t, on the curve scaled; 0 where rounding leaves no number."""
-    call_jet(address, t, jet)
-    jet *= scale
-    x1, x2, x3, x4, x5 = jet[1], jet[2], jet[3], jet[4], jet[5]
-    y1, y2, y3, y4, y5 = jet[7], jet[8], jet[9], jet[10], jet[11]
-    if code == PARABOLA:
-        value = parabola_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
-    elif code == CONIC:
-        value = conic_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
-    elif code == BIARC:
-        value = biarc_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
-    elif code == AREA_PARABOLA:
-        value = parabola_area_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
-    elif code == EQUISYMMETRIC_BIARC:
-        value = biarc_area_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
-    else:  # the conics of equal moons and of least area have the same law
-        value = conic_area_density(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5)
-    return value if math.isfinite(value) else 0.0
+@operation
+def density(fit: Any, address: Any, scale: Any, jet: Any, t: Any) -> Any:
+    """Pieces per unit of the parameter at t, times ε^{1/order}: the density of the fit's law.
+
+    ``address`` is a compiled jet, of order 5 in the plane and 3 in space, of the curve times ``scale``; 0
+    where rounding leaves no number.
+    """
+
+
+@operation
+def content(fit: Any, address: Any, scale: Any, jet: Any, a: Any, b: Any, singular: Any) -> Any:
+    """∫ density over a panel, at whose ends the law may be ``singular``."""
+    if singular:
+        return tanh_sinh(fit, address, scale, jet, a, b)[0]
+    value = 0.0
+    for i in range(SIZES[0]):
+        t = a + (b - a) * NODES[0, i]
+        value += (b - a) * WEIGHTS[0, i] * density(fit, address, scale, jet, t)
+    return value
+
+
+def by_law(law: Callable[..., float]) -> Callable[..., float]:
+    """The `density` of a law in the plane: a kernel of the derivatives 1…5 of both coordinates."""
+
+    def density(fit: Any, address: int, scale: float, jet: np.ndarray[Any, Any], t: float) -> float:
+        call_jet(address, t, jet)
+        jet *= scale
+        value = law(jet[1], jet[2], jet[3], jet[4], jet[5], jet[7], jet[8], jet[9], jet[10], jet[11])
+        return value if math.isfinite(value) else 0.0
+
+    return density
 
 
 @kernel
 def tanh_sinh(
-    code: int, address: int, scale: float, jet: np.ndarray[Any, Any], a: float, b: float
+    fit: Any, address: int, scale: float, jet: np.ndarray[Any, Any], a: float, b: float
 ) -> tuple[float, float]:
     """(integral, its change at the last halving of the step) over [a, b]."""
     size = b - a
@@ -71,9 +76,9 @@ def tanh_sinh(
             u = index * step
             near = 1.0 / (1.0 + math.exp(math.pi * math.sinh(u)))
             weight = math.pi * math.cosh(u) * near * (1.0 - near)
-            total += weight * density(code, address, scale, jet, a + size * near)
+            total += weight * density(fit, address, scale, jet, a + size * near)
             if index > 0:
-                total += weight * density(code, address, scale, jet, b - size * near)
+                total += weight * density(fit, address, scale, jet, b - size * near)
             index += 1 if level == COARSEST else 2
         previous, value = value, total * size * step
         change = abs(value - previous)
@@ -83,11 +88,11 @@ def tanh_sinh(
 
 
 @kernel
-def predicted(code: int, address: int, scale: float, a: float, b: float) -> float:
+def predicted(fit: Any, address: int, scale: float, a: float, b: float) -> float:
     """S = ∫ density over [a, b], of the curve times ``scale``, to about nine digits; NaN if unsettled.
 
-    ``code`` is one of `kernels.primitives`, ``address`` a compiled jet of order 5.  Singularities at the
-    ends do no harm; where one is near, the interval is halved.
+    ``address`` is a compiled jet as `density` needs it.  Singularities at the ends do no harm; where one is
+    near, the interval is halved.
     """
     jet = np.empty(JET_SIZE)
     stack = np.empty((DEPTH + 2, 2))
@@ -98,7 +103,7 @@ def predicted(code: int, address: int, scale: float, a: float, b: float) -> floa
             return total
         low, high = stack[open_parts - 1, 0], stack[open_parts - 1, 1]
         open_parts -= 1
-        value, change = tanh_sinh(code, address, scale, jet, low, high)
+        value, change = tanh_sinh(fit, address, scale, jet, low, high)
         if change <= AGREEMENT * max(value, total) or open_parts > DEPTH:
             total += value
         else:
@@ -111,7 +116,7 @@ def predicted(code: int, address: int, scale: float, a: float, b: float) -> floa
 
 @kernel
 def contents(
-    code: int, address: int, scale: float, times: np.ndarray[Any, Any], out: np.ndarray[Any, Any]
+    fit: Any, address: int, scale: float, times: np.ndarray[Any, Any], out: np.ndarray[Any, Any]
 ) -> None:
     """∫ density from ``times[0]`` to every one of the increasing ``times`` (m,), into ``out`` (m,).
 
@@ -123,12 +128,5 @@ def contents(
     last = times.shape[0] - 1
     out[0] = 0.0
     for j in range(1, last + 1):
-        a, b = times[j - 1], times[j]
-        if j == 1 or j == last:
-            value, _ = tanh_sinh(code, address, scale, jet, a, b)
-        else:
-            value = 0.0
-            for i in range(SIZES[0]):
-                t = a + (b - a) * NODES[0, i]
-                value += (b - a) * WEIGHTS[0, i] * density(code, address, scale, jet, t)
-        out[j] = out[j - 1] + value
+        singular = j == 1 or j == last
+        out[j] = out[j - 1] + content(fit, address, scale, jet, times[j - 1], times[j], singular)

@@ -15,19 +15,17 @@ curve crosses the biarc.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from osculant.kernels.biarcs.family import Biarc, family, is_proper, member
-from osculant.kernels.conics.exchange import LARGEST_MOVE, MARGIN, Peaks
+from osculant.kernels.conics.exchange import LARGEST_MOVE, MARGIN
+from osculant.kernels.conics.scan import Space
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.gauss import NODES, SIZES, TAILS, WEIGHTS
 from osculant.kernels.jit import kernel
 
-#: of a short arc, in parts of it: the junction's foot, the crossing; then μ, and the growth of the signed
-#: area with μ in parts of the first moon's, 0 as long as it is unknown
-FIRST_PEAKS = (0.5, 0.5, 0.5, 0.0)
 #: steps for μ, the first one, and the rest of the signed area, in parts of the area, that ends them
 MU_STEPS, MU_STEP, EVEN = 12, 1e-3, 1e-12
 #: places whose correction matters less than this, in parts of the area, stay: their rounding would wander
@@ -42,15 +40,37 @@ NOISE = 16.0
 ROWS = 2 * SIZES[-1] + SIZES[-2]
 
 
+class Places(NamedTuple):
+    """What is kept for the next arc.
+
+    Attributes:
+        foot: of the junction's normal, and
+        crossing: of curve and biarc, in parts of the arc.
+        mu: of the member.
+        steep: the growth of the signed area with μ in parts of the first moon's, 0 as long as it is unknown.
+    """
+
+    foot: float
+    crossing: float
+    mu: float
+    steep: float
+
+
+@kernel
+def first_places(fit: Any) -> Places:
+    """Those of a short arc."""
+    return Places(0.5, 0.5, 0.5, 0.0)
+
+
 @kernel
 def strip(arcs: Biarc, late: bool, x: float, y: float, sx: float, sy: float) -> float:
     """The area swept per arc length between one arc's circle and the curve, positive to the left.
 
     (x, y), (sx, sy) are the curve's point and unit tangent; ``late`` chooses the second arc's circle.
     """
-    px, py, tx, ty, bend = arcs[0], arcs[1], arcs[2], arcs[3], arcs[12]
+    px, py, tx, ty, bend = arcs.x0, arcs.y0, arcs.tx0, arcs.ty0, arcs.bend0
     if late:
-        px, py, tx, ty, bend = arcs[8], arcs[9], arcs[10], arcs[11], arcs[13]
+        px, py, tx, ty, bend = arcs.x2, arcs.y2, arcs.tx2, arcs.ty2, arcs.bend1
     wx, wy = x - px, y - py
     twice = 2.0 * (tx * wy - ty * wx) - bend * (wx * wx + wy * wy)
     return 0.5 * twice * ((bend * wx + ty) * sy - (bend * wy - tx) * sx) / (1.0 - bend * twice)
@@ -90,15 +110,19 @@ def within(place: float, step: float) -> float:
 
 @kernel
 def balanced(
-    source: Source, a: float, start: Frame, b: float, end: Frame, peaks: Peaks, rule: int
-) -> tuple[float, float, float, float, Peaks]:
-    """As `exchange`, with one rule; also the quadrature's estimated error in parts of the area."""
-    failed = (math.nan, math.nan, math.inf, math.inf, peaks)
+    source: Source, a: float, start: Frame, b: float, end: Frame, places: Places, rule: int
+) -> tuple[float, float, float, float, Places]:
+    """(area, μ, unrest, error, places moved) of the member with equal moons, with one rule of `gauss`.
+
+    The unrest is the relative correction of the places, the error that of the quadrature, both in parts of
+    the area; they are infinite if μ did not settle, or nothing is found.
+    """
+    failed = (math.nan, math.nan, math.inf, math.inf, places)
     fam = family(start, end)
     if not is_proper(fam):
         return failed
     length = b - a
-    foot, crossing = a + peaks[0] * length, a + peaks[1] * length
+    foot, crossing = a + places.foot * length, a + places.crossing * length
     low, high = min(foot, crossing), max(foot, crossing)
     late = foot < crossing  # what lies between them is beside the second arc, and of the first moon
     rows = np.empty((ROWS, 5))
@@ -107,7 +131,7 @@ def balanced(
     lay(source, high, b, rule, rows, two)
     fx, fy, fsx, fsy, foot_speed, _ = sample(source, foot)
     cx, cy, csx, csy, cross_speed, _ = sample(source, crossing)
-    mu, steep = peaks[2], peaks[3]
+    mu, steep = places.mu, places.steep
     before, total_before = math.nan, math.nan
     area, total, unrest, foot_step, cross_step, tail = math.nan, math.nan, 0.0, 0.0, 0.0, 0.0
     for _ in range(MU_STEPS):
@@ -117,13 +141,13 @@ def balanced(
         right, right_tail = swept(arcs, True, rule, rows, two)
         tail = max(tail, right_tail)
         # the junction's foot is elsewhere: circles that touch each other differ by squares up to there
-        foot_step = -((fx - arcs[4]) * arcs[6] + (fy - arcs[5]) * arcs[7])
-        foot_step /= foot_speed * (fsx * arcs[6] + fsy * arcs[7])
+        foot_step = -((fx - arcs.x1) * arcs.tx1 + (fy - arcs.y1) * arcs.ty1)
+        foot_step /= foot_speed * (fsx * arcs.tx1 + fsy * arcs.ty1)
         wrong = strip(arcs, False, fx, fy, fsx, fsy) - strip(arcs, True, fx, fy, fsx, fsy)
         between += wrong * foot_speed * foot_step / 3.0
         # so is the crossing: a triangle goes from one moon to the other
         k = 8 if late else 0
-        bend = arcs[13] if late else arcs[12]
+        bend = arcs.bend1 if late else arcs.bend0
         nx, ny = -arcs[k + 3] - bend * (cx - arcs[k]), arcs[k + 2] - bend * (cy - arcs[k + 1])
         lean = (nx * csx + ny * csy) * (ny * csx - nx * csy)
         miss = strip(arcs, late, cx, cy, csx, csy)
@@ -148,27 +172,30 @@ def balanced(
             break
     if not abs(total) <= UNEVEN * area:
         unrest = math.inf
-    noise = NOISE * source[1][4] * fam[8]
+    noise = NOISE * source.place.noise * fam.chord
     error = 0.0 if tail <= noise else tail * tail / (area * area)
     if unrest <= SETTLED:
-        return area, mu, unrest, error, (peaks[0], peaks[1], mu, steep)
-    places = (within(peaks[0], foot_step / length), within(peaks[1], cross_step / length), mu, steep)
-    return area, mu, unrest, error, places
+        return area, mu, unrest, error, Places(places.foot, places.crossing, mu, steep)
+    foot_place = within(places.foot, foot_step / length)
+    cross_place = within(places.crossing, cross_step / length)
+    return area, mu, unrest, error, Places(foot_place, cross_place, mu, steep)
 
 
 @kernel
-def exchange(
-    source: Source, a: float, start: Frame, b: float, end: Frame, peaks: Peaks
-) -> tuple[float, float, float, Peaks]:
-    """(area, μ, the places' relative correction, places moved) of the member with equal moons.
+def visit(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame,
+    places: Places, calm: float, space: Space,
+) -> tuple[float, float, bool, Places]:  # fmt: skip
+    """(area, μ, settled, places moved) of the member with equal moons.
 
     The places of the junction's foot and of the crossing change slowly from arc to arc, so the caller keeps
-    them.  The correction is infinite if the quadrature, or μ, did not settle; the area is NaN where nothing
-    is found.  Nothing is bracketed here: `biarc_moons.best` is there to fall back on.
+    them.  They have settled if their correction is at most the part ``calm`` of the area, and the quadrature
+    and μ have; the area is NaN where nothing is found.  Nothing is bracketed here: `area_scan.best` is there
+    to fall back on.
     """
-    area, mu, unrest, error, places = balanced(source, a, start, b, end, peaks, 1)
+    area, mu, unrest, error, moved = balanced(source, a, start, b, end, places, 1)
     for rule in range(2, len(SIZES)):
         if error <= FINE or not area > 0.0:
             break
-        area, mu, unrest, error, places = balanced(source, a, start, b, end, peaks, rule)
-    return area, mu, unrest if error <= COARSE else math.inf, places
+        area, mu, unrest, error, moved = balanced(source, a, start, b, end, places, rule)
+    return area, mu, unrest <= calm and error <= COARSE, moved

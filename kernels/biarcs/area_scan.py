@@ -8,17 +8,25 @@ one sign at all nodes, so that crossings closer to each other than the samples a
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
 
 from osculant.kernels.biarcs.area_exchange import NOISE, strip
 from osculant.kernels.biarcs.family import Biarc, distance, family, is_proper, member, to_circle
 from osculant.kernels.biarcs.scan import LOPSIDED, SLACK, is_along, look
-from osculant.kernels.conics.scan import DEPTH, GRID, Space
+from osculant.kernels.bracket import safeguarded
+from osculant.kernels.conics.scan import DEPTH, Space
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.gauss import NODES, SIZES, TAILS, WEIGHTS
 from osculant.kernels.jit import kernel
 
-#: (signed area, area, estimated error of the quadrature)
-Areas = tuple[float, float, float]
+
+class Areas(NamedTuple):
+    """Signed area, area, and the estimated error of the quadrature."""
+
+    signed: float
+    area: float
+    error: float
+
 
 #: the rule of `gauss` for each part, and the estimated error of a part, over the area, that is small enough
 RULE, ACCURATE = 2, 1e-12
@@ -37,7 +45,7 @@ EVEN = 1e-9
 @kernel
 def ahead(arcs: Biarc, x: float, y: float) -> float:
     """How far a point is ahead of the junction's normal."""
-    return (x - arcs[4]) * arcs[6] + (y - arcs[5]) * arcs[7]
+    return (x - arcs.x1) * arcs.tx1 + (y - arcs.y1) * arcs.ty1
 
 
 @kernel
@@ -46,14 +54,9 @@ def foot(arcs: Biarc, source: Source, t0: float, t1: float, accuracy: float) -> 
     t = 0.5 * (t0 + t1)
     for _ in range(VISITS):
         x, y, sx, sy, speed, _ = sample(source, t)
-        value, slope = ahead(arcs, x, y), speed * (sx * arcs[6] + sy * arcs[7])
-        if value > 0.0:
-            t1 = t
-        else:
-            t0 = t
-        before, t = t, t - value / slope if slope > 0.0 else t0
-        if not t0 < t < t1:
-            t = 0.5 * (t0 + t1)
+        value, slope = ahead(arcs, x, y), speed * (sx * arcs.tx1 + sy * arcs.ty1)
+        before = t
+        t, t0, t1 = safeguarded(t, -value / slope if slope > 0.0 else math.nan, value > 0.0, t0, t1)
         if abs(t - before) <= accuracy:
             break
     return t
@@ -65,20 +68,15 @@ def crossing(
     accuracy: float,
 ) -> float:  # fmt: skip
     """Where the curve crosses the circle of one arc, between parameters on both sides of it."""
-    k, bend = (8, arcs[13]) if late else (0, arcs[12])
+    k, bend = (8, arcs.bend1) if late else (0, arcs.bend0)
     t = 0.5 * (t0 + t1)
     for _ in range(VISITS):
         x, y, sx, sy, speed, curvature = sample(source, t)
         d, slope, _ = to_circle(arcs[k], arcs[k + 1], arcs[k + 2], arcs[k + 3], bend, x, y, sx, sy, curvature)
-        if abs(d) <= source[1][4]:
+        if abs(d) <= source.place.noise:
             break
-        if (d > 0.0) == falling:
-            t0 = t
-        else:
-            t1 = t
-        before, t = t, t - d / (slope * speed) if slope != 0.0 else t0
-        if not t0 < t < t1:
-            t = 0.5 * (t0 + t1)
+        before, step = t, -d / (slope * speed) if slope != 0.0 else math.nan
+        t, t0, t1 = safeguarded(t, step, (d > 0.0) != falling, t0, t1)
         if abs(t - before) <= accuracy:
             break
     return t
@@ -98,7 +96,7 @@ def part(
     open_parts, signed, area, error = 1, 0.0, 0.0, 0.0
     for _ in range(PARTS):
         if open_parts == 0:
-            return signed, area, error
+            return Areas(signed, area, error)
         open_parts -= 1
         low, high = stack[open_parts, 0], stack[open_parts, 1]
         value, tail, top, bottom, fastest = 0.0, 0.0, 0.0, 0.0, 0.0
@@ -109,7 +107,7 @@ def part(
             tail += TAILS[RULE, i] * rate
             top, bottom = max(top, rate), min(bottom, rate)
             fastest = max(fastest, speed)
-        peak, noise = max(top, -bottom), NOISE * source[1][4] * fastest * (high - low)
+        peak, noise = max(top, -bottom), NOISE * source.place.noise * fastest * (high - low)
         if not math.isfinite(value):
             break
         rest = 0.0 if abs(tail) <= noise else tail * tail / peak
@@ -123,7 +121,7 @@ def part(
         signed += value
         area += abs(value)
         error += rest + (peak if mixed else 0.0)
-    return math.nan, math.nan, math.inf
+    return Areas(math.nan, math.nan, math.inf)
 
 
 @kernel
@@ -139,11 +137,11 @@ def areas(arcs: Biarc, source: Source, a: float, b: float, space: Space, count: 
         scale += 0.5 * (until - since) * row[4] * abs(strip(arcs, late, row[0], row[1], row[2], row[3]))
     signed, area, error = 0.0, 0.0, 0.0
     # at the ends D = D′ = 0, and D has the sign of D″
-    done, t0, d0, late = a, a, sample(source, a)[5] - arcs[12], False
+    done, t0, d0, late = a, a, sample(source, a).curvature - arcs.bend0, False
     for i in range(count + 1):
         t1, d1, passed = b, 0.0, True
         if i == count:
-            d1 = sample(source, b)[5] - arcs[13]
+            d1 = sample(source, b).curvature - arcs.bend1
         if i < count:
             row = rows[i]
             t1 = row[6]
@@ -158,15 +156,15 @@ def areas(arcs: Biarc, source: Source, a: float, b: float, space: Space, count: 
             if d0 * d < 0.0:
                 t = crossing(arcs, source, late, t0, cut, d0 > 0.0, accuracy)
                 more = part(arcs, source, late, done, t, scale, space)
-                signed, area, error, done = signed + more[0], area + more[1], error + more[2], t
+                signed, area, error, done = signed + more.signed, area + more.area, error + more.error, t
             t0, d0 = cut, d
             if late or not passed:
                 break
             more = part(arcs, source, late, done, cut, scale, space)
-            signed, area, error, done = signed + more[0], area + more[1], error + more[2], cut
+            signed, area, error, done = signed + more.signed, area + more.area, error + more.error, cut
             late, cut, d = True, t1, d1
     more = part(arcs, source, True, done, b, scale, space)
-    return signed + more[0], area + more[1], error + more[2]
+    return Areas(signed + more.signed, area + more.area, error + more.error)
 
 
 @kernel
@@ -198,7 +196,9 @@ def measure(
 
 
 @kernel
-def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Space) -> tuple[float, float]:
+def best(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
+) -> tuple[float, float]:
     """(area, μ) of the biarc with equal moons: signed area 0; the area is infinite if no biarc is beside.
 
     Of a spiral arc the members lie side by side: the signed area moves in one direction with μ, so secant
@@ -208,10 +208,10 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
     fam = family(start, end)
     if not is_proper(fam):
         return math.inf, math.nan
-    count = look(member(fam, 0.5), source, a, b, GRID, space)
+    count = look(member(fam, 0.5), source, a, b, points, space)
     if count < 0:
         return math.inf, math.nan
-    upward = fam[12] < 2.0 * fam[11]  # κ decreases, and D increases with μ
+    upward = fam.omega < 2.0 * fam.alpha  # κ decreases, and D increases with μ
     low, high, mu = 0.0, 1.0, 0.5
     before, signed_before = math.nan, math.nan
     kept, least = 0.5, math.inf
@@ -221,7 +221,7 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
             kept, least = mu, area
         if abs(signed) <= BALANCED * area or high - low <= BALANCED:
             break
-        if step == 0 and area <= source[1][4] * fam[8]:
+        if step == 0 and area <= source.place.noise * fam.chord:
             break  # rounding says nothing about μ
         if (signed > 0.0) == upward:
             high = mu
@@ -231,8 +231,24 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
         before, signed_before = mu, signed
         mu = middle if low < middle < high and step % 4 < 3 else 0.5 * (low + high)
     signed, area = attained(member(fam, mu), source, a, b, space, count)
-    rounding = SLACK * source[1][4] * fam[8]
+    rounding = SLACK * source.place.noise * fam.chord
     if not abs(signed) <= EVEN * area + rounding:
         mu = kept
         _, area = attained(member(fam, mu), source, a, b, space, count)
     return area, mu
+
+
+@kernel
+def confirm(
+    fit: Any,
+    mu: float,
+    source: Source,
+    a: float,
+    start: Frame,
+    b: float,
+    end: Frame,
+    points: int,
+    space: Space,
+) -> tuple[float, float]:
+    """(area, μ) of the member μ, measured from ``points`` samples or more."""
+    return measure(member(family(start, end), mu), source, a, b, points, space), mu

@@ -3,22 +3,36 @@
 The distance of a spiral arc from a biarc has two peaks of opposite sign, one beside each arc; those of the
 best biarc are equal.  The peaks' places in parts of the arc, and μ, change slowly from arc to arc, so the
 caller keeps them: each call samples the curve at the believed peaks, chooses μ, and moves the peaks by one
-Newton step.  Nothing is bracketed here: `greedy` measures each result and has `minimax` to fall back on.
+Newton step.  Nothing is bracketed here: the search measures each result and has `scan.best` to fall back on.
 """
 
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
 
 from osculant.kernels.biarcs.family import distance, family, is_proper, member
-from osculant.kernels.conics.exchange import LARGEST_MOVE, MARGIN, Peaks
+from osculant.kernels.conics.exchange import LARGEST_MOVE, MARGIN
+from osculant.kernels.conics.scan import Space
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.jit import kernel
 
-#: places of the peaks and μ of a short arc: the peaks of |κ′|σ³/324 are at a third and at two thirds
-FIRST_PEAKS = (1.0 / 3.0, 2.0 / 3.0, 0.5, 0.0)
 #: secant steps for μ, the first one, and the rest of the sum of the peaks, in parts of them, that ends them
 MU_STEPS, MU_STEP, EVEN = 12, 1e-3, 1e-10
+
+
+class Peaks(NamedTuple):
+    """Places of the two peaks, in parts of the arc, and μ, for the next arc."""
+
+    first: float
+    last: float
+    mu: float
+
+
+@kernel
+def first_peaks(fit: Any) -> Peaks:
+    """Those of a short arc: the peaks of |κ′|σ³/324 are at a third and at two thirds."""
+    return Peaks(1.0 / 3.0, 2.0 / 3.0, 0.5)
 
 
 @kernel
@@ -36,16 +50,21 @@ def place(x: float, slope: float, second: float, d: float, length: float) -> flo
 
 
 @kernel
-def exchange(
-    source: Source, a: float, start: Frame, b: float, end: Frame, peaks: Peaks
-) -> tuple[float, float, float, Peaks]:
-    """(error, μ, the peaks' relative correction, peaks moved); the error is NaN where nothing is found."""
+def visit(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame,
+    peaks: Peaks, calm: float, space: Space,
+) -> tuple[float, float, bool, Peaks]:  # fmt: skip
+    """(error, μ, settled, peaks moved) of the best biarc of the arc [a, b], by one fast evaluation.
+
+    The peaks have settled if their correction is at most the part ``calm`` of the error, which is NaN where
+    nothing is found.
+    """
     fam = family(start, end)
     if not is_proper(fam):
-        return math.nan, math.nan, math.inf, peaks
-    x0, y0, tx0, ty0, speed0, bend0 = sample(source, a + peaks[0] * (b - a))
-    x1, y1, tx1, ty1, speed1, bend1 = sample(source, a + peaks[1] * (b - a))
-    mu, before, sum_before = peaks[2], math.nan, math.nan
+        return math.nan, math.nan, False, peaks
+    x0, y0, tx0, ty0, speed0, bend0 = sample(source, a + peaks.first * (b - a))
+    x1, y1, tx1, ty1, speed1, bend1 = sample(source, a + peaks.last * (b - a))
+    mu, before, sum_before = peaks.mu, math.nan, math.nan
     error, unrest = math.nan, math.inf
     for _ in range(MU_STEPS):
         arcs = member(fam, mu)
@@ -54,7 +73,7 @@ def exchange(
         peak0, peak1 = peak(d0, slope0, second0), peak(d1, slope1, second1)
         error, total = max(abs(peak0), abs(peak1)), peak0 + peak1
         if not error > 0.0:
-            return math.nan, math.nan, math.inf, peaks
+            return math.nan, math.nan, False, peaks
         unrest = max(abs(peak0 - d0), abs(peak1 - d1)) / error
         if abs(total) <= EVEN * error:
             break
@@ -67,6 +86,6 @@ def exchange(
             break
     if not peak0 * peak1 < 0.0 or abs(peak0 + peak1) > 1e-7 * error:
         unrest = math.inf
-    first = place(peaks[0], slope0, second0, d0, speed0 * (b - a))
-    last = place(peaks[1], slope1, second1, d1, speed1 * (b - a))
-    return error, mu, unrest, (first, last, mu, 0.0)
+    first = place(peaks.first, slope0, second0, d0, speed0 * (b - a))
+    last = place(peaks.last, slope1, second1, d1, speed1 * (b - a))
+    return error, mu, unrest <= calm, Peaks(first, last, mu)

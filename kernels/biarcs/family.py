@@ -13,20 +13,52 @@ nearly straight ones are ordinary. Source: the reconstructed chapter 5 of the th
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from osculant.kernels.curves.plane import Frame
 from osculant.kernels.jit import kernel
 
-#: (p_L, T_L, p_R, T_R, |Δ|, the direction of Δ, α, ω), flattened
-Family = tuple[float, float, float, float, float, float, float, float, float, float, float, float, float]
-#: (p_L, T_L, p₀, T₀, p_R, T_R, curvature of the first and of the second arc), flattened
-Biarc = tuple[
-    float, float, float, float, float, float, float, float, float, float, float, float, float, float
-]
 #: below this the quotient of sines is that of the angles
 TINY = 1e-8
 #: a turning less than −this is one of more than π; above, it is rounding
 BACKWARDS = 1e-6
+
+
+class Family(NamedTuple):
+    """(p_L, T_L), (p_R, T_R), |Δ|, the direction of Δ, α and ω."""
+
+    x0: float
+    y0: float
+    tx0: float
+    ty0: float
+    x2: float
+    y2: float
+    tx2: float
+    ty2: float
+    chord: float
+    cx: float
+    cy: float
+    alpha: float
+    omega: float
+
+
+class Biarc(NamedTuple):
+    """(p_L, T_L), the junction (p₀, T₀), (p_R, T_R), and the curvatures of both arcs."""
+
+    x0: float
+    y0: float
+    tx0: float
+    ty0: float
+    x1: float
+    y1: float
+    tx1: float
+    ty1: float
+    x2: float
+    y2: float
+    tx2: float
+    ty2: float
+    bend0: float
+    bend1: float
 
 
 @kernel
@@ -39,14 +71,14 @@ def family(start: Frame, end: Frame) -> Family:
     cx, cy = dx / length, dy / length
     alpha = math.atan2(tx0 * cy - ty0 * cx, tx0 * cx + ty0 * cy)
     omega = math.atan2(tx0 * ty2 - ty0 * tx2, tx0 * tx2 + ty0 * ty2)
-    return x0, y0, tx0, ty0, x2, y2, tx2, ty2, length, cx, cy, alpha, omega
+    return Family(x0, y0, tx0, ty0, x2, y2, tx2, ty2, length, cx, cy, alpha, omega)
 
 
 @kernel
 def is_proper(fam: Family) -> bool:
     """Whether the family belongs to an arc that bends to the left by less than π."""
-    alpha, omega = fam[11], fam[12]
-    return fam[8] > 0.0 and omega > -BACKWARDS and alpha > -BACKWARDS and omega - alpha > -BACKWARDS
+    alpha, omega = fam.alpha, fam.omega
+    return fam.chord > 0.0 and omega > -BACKWARDS and alpha > -BACKWARDS and omega - alpha > -BACKWARDS
 
 
 @kernel
@@ -65,7 +97,7 @@ def member(fam: Family, mu: float) -> Biarc:
     dot, cross = tx0 * ux + ty0 * uy, tx0 * uy - ty0 * ux
     tx, ty = ux * dot - uy * cross, uy * dot + ux * cross  # T_L mirrored in it
     bend, next_bend = alpha - last, omega - alpha - first
-    return (
+    return Biarc(
         x0, y0, tx0, ty0,
         x0 + length * part * ux, y0 + length * part * uy, tx, ty,
         x2, y2, tx2, ty2,
@@ -76,8 +108,8 @@ def member(fam: Family, mu: float) -> Biarc:
 @kernel
 def is_short(arcs: Biarc) -> bool:
     """Whether both arcs turn by less than π."""
-    first = (arcs[4] - arcs[0]) * arcs[2] + (arcs[5] - arcs[1]) * arcs[3]
-    last = (arcs[8] - arcs[4]) * arcs[10] + (arcs[9] - arcs[5]) * arcs[11]
+    first = (arcs.x1 - arcs.x0) * arcs.tx0 + (arcs.y1 - arcs.y0) * arcs.ty0
+    last = (arcs.x2 - arcs.x1) * arcs.tx2 + (arcs.y2 - arcs.y1) * arcs.ty2
     return first > 0.0 and last > 0.0
 
 
@@ -108,9 +140,9 @@ def distance(
 
     The normal at the junction separates the points that belong to either arc.
     """
-    if (x - arcs[4]) * arcs[6] + (y - arcs[5]) * arcs[7] <= 0.0:
-        return to_circle(arcs[0], arcs[1], arcs[2], arcs[3], arcs[12], x, y, sx, sy, curvature)
-    return to_circle(arcs[8], arcs[9], arcs[10], arcs[11], arcs[13], x, y, sx, sy, curvature)
+    if (x - arcs.x1) * arcs.tx1 + (y - arcs.y1) * arcs.ty1 <= 0.0:
+        return to_circle(arcs.x0, arcs.y0, arcs.tx0, arcs.ty0, arcs.bend0, x, y, sx, sy, curvature)
+    return to_circle(arcs.x2, arcs.y2, arcs.tx2, arcs.ty2, arcs.bend1, x, y, sx, sy, curvature)
 
 
 @kernel
@@ -119,7 +151,7 @@ def is_beside(arcs: Biarc, x: float, y: float, slack: float) -> bool:
 
     For arcs that turn by less than π: the normals at the ends of an arc bound the points beside it.
     """
-    after = (x - arcs[0]) * arcs[2] + (y - arcs[1]) * arcs[3]
-    before = (arcs[8] - x) * arcs[10] + (arcs[9] - y) * arcs[11]
-    ahead = (x - arcs[4]) * arcs[6] + (y - arcs[5]) * arcs[7]
+    after = (x - arcs.x0) * arcs.tx0 + (y - arcs.y0) * arcs.ty0
+    before = (arcs.x2 - x) * arcs.tx2 + (arcs.y2 - y) * arcs.ty2
+    ahead = (x - arcs.x1) * arcs.tx1 + (y - arcs.y1) * arcs.ty1
     return (after >= -slack) if ahead <= 0.0 else (before >= -slack)

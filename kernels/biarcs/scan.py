@@ -8,6 +8,7 @@ method with the exact D″, kept within brackets.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from osculant.kernels.biarcs.family import (
     BACKWARDS,
@@ -19,7 +20,8 @@ from osculant.kernels.biarcs.family import (
     is_short,
     member,
 )
-from osculant.kernels.conics.scan import DEPTH, GRID, Space, cubic_peak
+from osculant.kernels.bracket import safeguarded
+from osculant.kernels.conics.scan import DEPTH, Space, cubic_peak
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.jit import kernel
 
@@ -48,23 +50,23 @@ def look(
     arc turns by more than π, or if the capacity does not suffice.
     """
     rows, pending = space[0], space[1][:, 0]
-    last_cosine = arcs[2] * arcs[10] + arcs[3] * arcs[11]
-    last_sine = arcs[2] * arcs[11] - arcs[3] * arcs[10]
+    last_cosine = arcs.tx0 * arcs.tx2 + arcs.ty0 * arcs.ty2
+    last_sine = arcs.tx0 * arcs.ty2 - arcs.ty0 * arcs.tx2
     largest = math.sin(LARGEST_TURN)
     if last_cosine > 0.0 and last_sine > 0.0:
         largest = min(largest, max(TOLD, LARGEST_PART * last_sine))
     # a convex arc that turns by ω is no longer than its chord over cos(ω/2)
-    chord = (arcs[8] - arcs[0]) ** 2 + (arcs[9] - arcs[1]) ** 2
+    chord = (arcs.x2 - arcs.x0) ** 2 + (arcs.y2 - arcs.y0) ** 2
     farthest = LARGEST_STEP * LARGEST_STEP * chord * 2.0 / max(1e-6, 1.0 + last_cosine)
     count, before = 0, a
-    x, y, sx, sy = arcs[0], arcs[1], arcs[2], arcs[3]
+    x, y, sx, sy = arcs.x0, arcs.y0, arcs.tx0, arcs.ty0
     for i in range(1, points + 2):
         pending[0] = b if i == points + 1 else a + (b - a) * i / (points + 1)
         open_ends = 1
         while open_ends > 0:
             t = pending[open_ends - 1]
             if t == b:
-                px, py, tx, ty, speed, curvature = arcs[8], arcs[9], arcs[10], arcs[11], 0.0, 0.0
+                px, py, tx, ty, speed, curvature = arcs.x2, arcs.y2, arcs.tx2, arcs.ty2, 0.0, 0.0
             else:
                 if count == rows.shape[0]:
                     return -1
@@ -75,7 +77,7 @@ def look(
                 pending[open_ends] = 0.5 * (before + t)
                 open_ends += 1
                 continue
-            if arcs[2] * ty - arcs[3] * tx < -BACKWARDS:
+            if arcs.tx0 * ty - arcs.ty0 * tx < -BACKWARDS:
                 return -1
             if t != b:
                 row = rows[count]
@@ -101,12 +103,8 @@ def extreme(
             gain = -0.5 * slope * slope / second
             if abs(gain) <= SETTLED * abs(d):
                 return d + gain
-        if (slope > 0.0) == rising:
-            t0 = t
-        else:
-            t1 = t
-        middle = t - slope / (second * speed) if bends else t0
-        t = middle if t0 < middle < t1 else 0.5 * (t0 + t1)
+        step = -slope / (second * speed) if bends else math.nan
+        t, t0, t1 = safeguarded(t, step, (slope > 0.0) != rising, t0, t1)
     return d
 
 
@@ -142,7 +140,7 @@ def extremes(
 @kernel
 def is_along(arcs: Biarc, source: Source, space: Space, count: int) -> bool:
     """Whether both arcs turn by less than π and all points seen in ``space`` are beside the biarc."""
-    rows, slack = space[0], SLACK * source[1][4]
+    rows, slack = space[0], SLACK * source.place.noise
     along = is_short(arcs)
     for i in range(count):
         along = along and is_beside(arcs, rows[i, 0], rows[i, 1], slack)
@@ -177,7 +175,9 @@ def measure(
 
 
 @kernel
-def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Space) -> tuple[float, float]:
+def best(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
+) -> tuple[float, float]:
     """(error, μ) of the biarc with max D = −min D over [a, b]; error infinite if there is none.
 
     Of a spiral arc the members lie side by side: max D and min D move in one direction with μ, so false
@@ -186,10 +186,10 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
     fam = family(start, end)
     if not is_proper(fam):
         return math.inf, math.nan
-    count = look(member(fam, 0.5), source, a, b, GRID, space)
+    count = look(member(fam, 0.5), source, a, b, points, space)
     if count < 0:
         return math.inf, math.nan
-    upward = fam[12] < 2.0 * fam[11]  # κ decreases, and D increases with μ
+    upward = fam.omega < 2.0 * fam.alpha  # κ decreases, and D increases with μ
     low, high = 0.0, 1.0
     excess_low, excess_high = math.nan, math.nan
     kept, least = 0.5, math.inf
@@ -206,7 +206,7 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
             break
         if high - low <= BALANCED:
             break
-        if step == 0 and size <= source[1][4]:
+        if step == 0 and size <= source.place.noise:
             break  # rounding says nothing about μ
         if (excess > 0.0) == upward:
             high, excess_high = mu, excess
@@ -217,3 +217,19 @@ def best(source: Source, a: float, start: Frame, b: float, end: Frame, space: Sp
         kept = 0.5
         error = attained(member(fam, kept), source, a, b, space, count)
     return error, kept
+
+
+@kernel
+def confirm(
+    fit: Any,
+    mu: float,
+    source: Source,
+    a: float,
+    start: Frame,
+    b: float,
+    end: Frame,
+    points: int,
+    space: Space,
+) -> tuple[float, float]:
+    """(error, μ) of the member μ, measured from ``points`` samples or more."""
+    return measure(member(family(start, end), mu), source, a, b, points, space), mu

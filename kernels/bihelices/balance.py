@@ -7,20 +7,21 @@ grows with v, by about `STEEPNESS` v on arcs short enough.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from osculant.kernels.bihelices.family import (
     EQUIOSCILLATING,
     LEVEL,
     Bihelix,
-    End,
     bihelix,
     chord,
     normal_plane,
 )
-from osculant.kernels.bihelices.helix import SAME, place_at
+from osculant.kernels.bihelices.hausdorff import two_sided
+from osculant.kernels.bihelices.helix import SAME
 from osculant.kernels.bihelices.scan import peaks
 from osculant.kernels.curves.arc_length import Lengths, measure_lengths
-from osculant.kernels.curves.space import Source
+from osculant.kernels.curves.space import Frame, Source
 from osculant.kernels.curves.vectors import cross, norm, subtract
 from osculant.kernels.jit import kernel
 
@@ -40,20 +41,38 @@ SHORTEST = 1e-6
 #: errors up to this many times the noise of the coordinates are rounding
 ROUNDING = 16.0
 
-#: (left peak, right peak, trusted, bihelix): infinite peaks if there is no bihelix, or it turns too far
-Assessed = tuple[float, float, bool, Bihelix]
+
+class Assessed(NamedTuple):
+    """A bihelix and its peaks on both sides; infinite if there is no bihelix, or it turns too far."""
+
+    left: float
+    right: float
+    trusted: bool
+    two: Bihelix
+
+
+class Balanced(NamedTuple):
+    """A piece: the bihelix with the junction at the offset v, its error and its peaks on both sides."""
+
+    error: float
+    left: float
+    right: float
+    v: float
+    two: Bihelix
 
 
 @kernel
 def is_degenerate(two: Bihelix) -> bool:
     """Whether the two helices turn too far together, or one of them is nothing."""
-    first, second = two[0][13], two[1][13]
-    return two[0][14] + two[1][14] > MOST_TURN or min(first, second) <= SHORTEST * (first + second)
+    first, second = two.left.length, two.right.length
+    return two.left.turning + two.right.turning > MOST_TURN or min(first, second) <= SHORTEST * (
+        first + second
+    )
 
 
 @kernel
 def assess(
-    rule: int, source: Source, a: float, left: End, b: float, right: End,
+    rule: int, source: Source, a: float, left: Frame, b: float, right: Frame,
     sigma: float, v: float, points: int, lengths: Lengths,
 ) -> Assessed:  # fmt: skip
     """The bihelix with the junction at v, and its peaks; ``points`` samples of each side at least.
@@ -64,31 +83,31 @@ def assess(
     if not found or is_degenerate(two):
         found, two = bihelix(LEVEL, source, a, left, b, right, sigma, 0.5 * v * sigma, lengths)
         if not found or is_degenerate(two):
-            return math.inf, math.inf, True, two
+            return Assessed(math.inf, math.inf, True, two)
     first, second, trusted = peaks(source, a, b, two, points)
-    length = two[0][13] + two[1][13]
+    length = two.left.length + two.right.length
     trusted = trusted and sigma <= LENGTHS_AGREE * length and length <= LENGTHS_AGREE * sigma
-    return first, second, trusted, two
+    return Assessed(first, second, trusted, two)
 
 
 @kernel
-def is_straight(left: End, right: End, noise: float) -> bool:
+def is_straight(left: Frame, right: Frame, noise: float) -> bool:
     """Whether the tangents at both ends have the chord's direction, to rounding."""
-    step = subtract(right[0], left[0])
+    step = subtract(right.point, left.point)
     near = SAME * norm(step) + noise
     return (
-        norm(subtract(right[1], left[1])) <= 2.0 * SAME
-        and norm(cross(step, left[1])) <= near
-        and norm(cross(step, right[1])) <= near
+        norm(subtract(right.tangent, left.tangent)) <= 2.0 * SAME
+        and norm(cross(step, left.tangent)) <= near
+        and norm(cross(step, right.tangent)) <= near
     )
 
 
 @kernel
-def best(
-    rule: int, source: Source, a: float, left: End, b: float, right: End,
+def two_of(
+    rule: int, source: Source, a: float, left: Frame, b: float, right: Frame,
     v: float, calm: float, points: int, lengths: Lengths,
-) -> tuple[float, float, float, bool, Bihelix]:  # fmt: skip
-    """(left peak, right peak, v, trusted, bihelix) of the arc [a, b] by the rule.
+) -> tuple[Assessed, float]:  # fmt: skip
+    """(bihelix and its peaks, v) of the arc [a, b] by the rule.
 
     Args:
         rule: `THESIS`, for which v = 0, or `EQUIOSCILLATING`.
@@ -106,42 +125,41 @@ def best(
     peaks if there is no bihelix.
     """
     sigma = measure_lengths(source, a, b, lengths)
-    noise = source[1][4]
+    noise = source.place.noise
     if is_straight(left, right, noise):
         two = chord(left, right, 0.5 * (a + b))
-        t = normal_plane(source, a, b, place_at(two[1], 0.0)[0], left[1], two[2])
-        two = (two[0], two[1], t)
+        t = normal_plane(source, a, b, two.right.start, left.tangent, two.t)
+        two = Bihelix(two.left, two.right, t)
         first, second, trusted = peaks(source, a, b, two, points)
-        return first, second, 0.0, trusted, two
+        return Assessed(first, second, trusted, two), 0.0
     if rule != EQUIOSCILLATING:
-        first, second, trusted, two = assess(rule, source, a, left, b, right, sigma, 0.0, points, lengths)
-        return first, second, 0.0, trusted, two
+        return assess(rule, source, a, left, b, right, sigma, 0.0, points, lengths), 0.0
     v = min(FARTHEST, max(-FARTHEST, v))
     low, high = -FARTHEST, FARTHEST  # where the left peak is smaller, and larger
     low_g, high_g = -math.inf, math.inf
-    first, second, trusted, two = assess(rule, source, a, left, b, right, sigma, v, points, lengths)
-    kept = (first, second, v, trusted, two)
+    seen = assess(rule, source, a, left, b, right, sigma, v, points, lengths)
+    kept, kept_v = seen, v
     tried = 0
     for _ in range(STEPS):
-        larger = max(first, second)
-        if larger < max(kept[0], kept[1]):
-            kept = (first, second, v, trusted, two)
+        larger = max(seen.left, seen.right)
+        if larger < max(kept.left, kept.right):
+            kept, kept_v = seen, v
         if larger <= ROUNDING * noise:
             break
         if math.isinf(larger):
-            if not math.isinf(kept[0]):  # nothing beyond here
-                if v > kept[2]:
+            if not math.isinf(kept.left):  # nothing beyond here
+                if v > kept_v:
                     high, high_g = v, math.inf
                 else:
                     low, low_g = v, -math.inf
-                v = 0.5 * (v + kept[2])
+                v = 0.5 * (v + kept_v)
             else:  # nothing yet: alternately farther to both sides of the middle
                 tried += 1
                 v = SCAN * ((tried + 1) // 2) * (1.0 if tried % 2 == 0 else -1.0)
                 if abs(v) >= FARTHEST:
                     break
         else:
-            g = math.log(first / second)
+            g = math.log(seen.left / seen.right)
             if abs(g) <= calm:
                 break
             if g < 0.0:
@@ -161,5 +179,21 @@ def best(
             v = new
         if high - low <= 1e-12:
             break
-        first, second, trusted, two = assess(rule, source, a, left, b, right, sigma, v, points, lengths)
-    return kept
+        seen = assess(rule, source, a, left, b, right, sigma, v, points, lengths)
+    return kept, kept_v
+
+
+@kernel
+def balanced(
+    rule: int, source: Source, a: float, start: Frame, b: float, end: Frame,
+    v: float, calm: float, points: int, lengths: Lengths,
+) -> Balanced:  # fmt: skip
+    """The piece by the rule over [a, b], from the guess v; its error is infinite if there is none.
+
+    Where the feet do not move along the bihelix in order, the error is searched with more care.
+    """
+    seen, v = two_of(rule, source, a, start, b, end, v, calm, points, lengths)
+    error = max(seen.left, seen.right)
+    if not seen.trusted and math.isfinite(error):
+        error = two_sided(source, a, b, measure_lengths(source, a, b, lengths), seen.two)
+    return Balanced(error, seen.left, seen.right, v, seen.two)

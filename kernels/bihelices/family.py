@@ -18,20 +18,17 @@ length σ the approximation theorem asks for T₀ = normalise(T − κ′(σ²/2
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from osculant.kernels.bihelices.helix import SAME, Helix, short_helix, straight
+from osculant.kernels.bracket import safeguarded
 from osculant.kernels.curves.arc_length import Lengths, after
-from osculant.kernels.curves.space import Source, bends, sample
+from osculant.kernels.curves.space import Frame, Source, bends, sample
 from osculant.kernels.curves.vectors import Vector, combine, cross, dot, norm, scaled, subtract, unit
 from osculant.kernels.jit import kernel
 
 #: the rules, and what stands in for either
 THESIS, EQUIOSCILLATING, LEVEL = 0, 1, 2
-#: a point of the curve with its unit tangent
-End = tuple[Vector, Vector]
-#: (left helix, right helix, parameter of the curve point in the junction's normal plane)
-Bihelix = tuple[Helix, Helix, float]
-
 #: the residual of ⟨p₁ − p₀, T₁ − T₀⟩/|p₁ − p₀| that a helix of a bihelix may have
 RESIDUAL = 1e-10
 #: arcs count as plane, and as straight, up to this many times the noise of the coordinates
@@ -44,21 +41,30 @@ STEPS, SETTLED = 30, 1e-9
 SAME_HEIGHT = 2.0**-52
 
 
+class Bihelix(NamedTuple):
+    """Two helices with a common tangent, and t, the curve's parameter in the junction's normal plane."""
+
+    left: Helix
+    right: Helix
+    t: float
+
+
 @kernel
-def offset(left: End, right: End, tangent: Vector, q: Vector) -> tuple[Vector, Vector]:
+def offset(left: Frame, right: Frame, tangent: Vector, q: Vector) -> tuple[Vector, Vector]:
     """(p₀ − q, W) for the point p₀ of the junction line of ``tangent`` nearest to q, W being its direction.
 
     W is 0 where the two junction planes are parallel; then p₀ is in that of the left end, and there may be no
     bihelix.
 
-    >>> left, right = ((0., 0., 0.), (1., 0., 0.)), ((2., 2., 0.), (0., 1., 0.))
+    >>> left = Frame((0., 0., 0.), (1., 0., 0.))
+    >>> right = Frame((2., 2., 0.), (0., 1., 0.))
     >>> r = math.sqrt(0.5)
     >>> [round(x, 12) for x in offset(left, right, (r, r, 0.0), (1.0, 1.0, 3.0))[0][:2]]
     [0.414213562373, -0.414213562373]
     """
-    first, second = subtract(tangent, left[1]), subtract(right[1], tangent)
-    off_first = -dot(subtract(q, left[0]), first)
-    off_second = -dot(subtract(q, right[0]), second)
+    first, second = subtract(tangent, left.tangent), subtract(right.tangent, tangent)
+    off_first = -dot(subtract(q, left.point), first)
+    off_second = -dot(subtract(q, right.point), second)
     w = cross(first, second)
     square, size = dot(w, w), dot(first, first)
     if square <= PARALLEL * PARALLEL * size * dot(second, second):
@@ -71,7 +77,7 @@ def offset(left: End, right: End, tangent: Vector, q: Vector) -> tuple[Vector, V
 
 @kernel
 def nearest_to_curve(
-    source: Source, a: float, left: End, b: float, right: End, tangent: Vector, t: float
+    source: Source, a: float, left: Frame, b: float, right: Frame, tangent: Vector, t: float
 ) -> tuple[float, Vector]:
     """(parameter, p₀) of the curve point nearest to the junction line of ``tangent`` and of the line's point.
 
@@ -89,28 +95,24 @@ def nearest_to_curve(
         fall = dot(away, v)  # minus half the derivative of the squared distance
         across = combine(1.0, v, -dot(v, w), w)
         bend = dot(across, across) - dot(away, acceleration)
-        if fall > 0.0:
-            low = t
-        else:
-            high = t
-        new = t + fall / bend if bend > 0.0 else math.nan
-        if not (new >= low and new <= high):
-            new = 0.5 * (low + high)
-        step, t = new - t, new
+        before = t
+        t, low, high = safeguarded(t, fall / bend if bend > 0.0 else math.nan, not fall > 0.0, low, high)
+        step = t - before
         if abs(step) <= SETTLED * (b - a):
             break
-    p = sample(source, t)[0]
+    p = sample(source, t).point
     return t, combine(1.0, p, 1.0, offset(left, right, tangent, p)[0])
 
 
 @kernel
-def levelled(left: End, right: End, tangent: Vector, q: Vector, sigma: float) -> tuple[Vector, Vector]:
+def levelled(left: Frame, right: Frame, tangent: Vector, q: Vector, sigma: float) -> tuple[Vector, Vector]:
     """(T₀, p₀) with q equally far from both junction planes, T₀ turned from ``tangent`` along their normals.
 
     Turning T₀ by β changes the difference of the distances by βσ/2, to leading order on every short arc,
     which starts secant steps.  p₀ is NaN if they find nothing.
 
-    >>> left, right = ((0., 0., 0.), (1., 0., 0.)), ((2., 2., 0.), (0., 1., 0.))
+    >>> left = Frame((0., 0., 0.), (1., 0., 0.))
+    >>> right = Frame((2., 2., 0.), (0., 1., 0.))
     >>> r = math.sqrt(0.5)
     >>> tangent, p = levelled(left, right, (0.6, 0.8, 0.0), (2 * r, 2 - 2 * r, 0.0), math.pi)
     >>> [abs(round(x, 9)) for x in subtract(tangent, (r, r, 0.0))], [round(x, 9) for x in p]
@@ -118,10 +120,10 @@ def levelled(left: End, right: End, tangent: Vector, q: Vector, sigma: float) ->
     """
     slope, turned, before = 0.5 * sigma, 0.0, 0.0
     for _ in range(STEPS):
-        first, second = subtract(tangent, left[1]), subtract(right[1], tangent)
+        first, second = subtract(tangent, left.tangent), subtract(right.tangent, tangent)
         least = min(norm(first), norm(second))
         first, second = unit(first), unit(second)
-        off_first, off_second = dot(subtract(left[0], q), first), dot(subtract(right[0], q), second)
+        off_first, off_second = dot(subtract(left.point, q), first), dot(subtract(right.point, q), second)
         mean = combine(1.0, first, 1.0, second)
         gap = off_first - off_second
         if abs(gap) * least <= SAME_HEIGHT * sigma:  # as exactly as rounded tangents can tell
@@ -140,15 +142,10 @@ def normal_plane(source: Source, a: float, b: float, p: Vector, tangent: Vector,
     for _ in range(STEPS):
         x, v, _ = sample(source, t)
         height = dot(subtract(x, p), tangent)
-        if height < 0.0:
-            low = t
-        else:
-            high = t
-        slope = dot(v, tangent)
-        new = t - height / slope if slope > 0.0 else math.nan
-        if not (new >= low and new <= high):
-            new = 0.5 * (low + high)
-        step, t = new - t, new
+        slope, before = dot(v, tangent), t
+        step = -height / slope if slope > 0.0 else math.nan
+        t, low, high = safeguarded(t, step, not height < 0.0, low, high)
+        step = t - before
         if abs(step) <= SETTLED * (b - a):
             break
     return t
@@ -156,7 +153,7 @@ def normal_plane(source: Source, a: float, b: float, p: Vector, tangent: Vector,
 
 @kernel
 def bihelix(
-    rule: int, source: Source, a: float, left: End, b: float, right: End,
+    rule: int, source: Source, a: float, left: Frame, b: float, right: Frame,
     sigma: float, u: float, lengths: Lengths,
 ) -> tuple[bool, Bihelix]:  # fmt: skip
     """(found, bihelix) of the arc [a, b] with the junction at the offset u from its middle (0: `THESIS`).
@@ -172,9 +169,10 @@ def bihelix(
         u: arc length from the middle to the curve point that determines the junction tangent.
         lengths: what ``measure_lengths`` left.
     """
-    noise = source[1][4]
+    noise = source.place.noise
     t = after(lengths, a, b, 0.5 * sigma + u, sigma)
-    p, tangent, lean, _, _, _ = bends(source, t)
+    at = bends(source, t)
+    p, tangent, lean = at.point, at.tangent, at.lean
     junction_tangent = unit(combine(1.0, tangent, -(sigma * sigma / 24.0 + 0.5 * u * u), lean))
     if rule == THESIS:
         junction = combine(1.0, p, 1.0, offset(left, right, junction_tangent, p)[0])
@@ -183,17 +181,20 @@ def bihelix(
     else:
         t, junction = nearest_to_curve(source, a, left, b, right, junction_tangent, t)
     flat = FLAT * noise
-    first = short_helix(left[0], left[1], junction, junction_tangent, RESIDUAL, flat)
-    second = short_helix(junction, junction_tangent, right[0], right[1], RESIDUAL, flat)
-    found = first[0] >= 0 and second[0] >= 0
+    kind, _, left_helix = short_helix(left.point, left.tangent, junction, junction_tangent, RESIDUAL, flat)
+    next_kind, _, right_helix = short_helix(
+        junction, junction_tangent, right.point, right.tangent, RESIDUAL, flat
+    )
+    found = kind >= 0 and next_kind >= 0
     if found:
         t = normal_plane(source, a, b, junction, junction_tangent, t)
-    return found, (first[2], second[2], t)
+    return found, Bihelix(left_helix, right_helix, t)
 
 
 @kernel
-def chord(left: End, right: End, t: float) -> Bihelix:
+def chord(left: Frame, right: Frame, t: float) -> Bihelix:
     """The straight segment between the ends as a bihelix, cut at its middle; t is the curve's."""
-    step = subtract(right[0], left[0])
+    step = subtract(right.point, left.point)
     half, tangent = 0.5 * norm(step), unit(step)
-    return straight(left[0], tangent, half), straight(combine(0.5, left[0], 0.5, right[0]), tangent, half), t
+    middle = combine(0.5, left.point, 0.5, right.point)
+    return Bihelix(straight(left.point, tangent, half), straight(middle, tangent, half), t)

@@ -50,10 +50,10 @@ def foot(helix: Helix, p: Vector, s: float, low: float, high: float) -> tuple[fl
         point, tangent, bend = place_at(helix, s)
         away = subtract(p, point)
         stiff = 1.0 - dot(away, bend)
-        if abs(step) <= SETTLED * helix[13]:
+        if abs(step) <= SETTLED * helix.length:
             break
     fall = dot(away, tangent)
-    if abs(fall) <= 4.0 * SETTLED * helix[13] * max(1.0, stiff):  # what the next step would take away
+    if abs(fall) <= 4.0 * SETTLED * helix.length * max(1.0, stiff):  # what the next step would take away
         away = combine(1.0, away, -fall, tangent)
     return s, away, tangent, stiff
 
@@ -70,13 +70,13 @@ def nearest(helix: Helix, p: Vector) -> tuple[float, float]:
     >>> [round(x, 9) for x in nearest(half, (0.0, 3.0, 0.0))]
     [2.0, 1.570796327]
     """
-    count = 2 + math.ceil(helix[14] / SPACING)
-    step = helix[13] / count
+    count = 2 + math.ceil(helix.turning / SPACING)
+    step = helix.length / count
     least, found = math.inf, 0
     for i in range(count + 1):
         away = subtract(p, point_at(helix, i * step))
         if dot(away, away) < least:
             least, found = dot(away, away), i
     low, high = max(0, found - 1) * step, min(count, found + 1) * step
-    s, away, _, _ = foot(helix, p, found * step, low, min(high, helix[13]))
+    s, away, _, _ = foot(helix, p, found * step, low, min(high, helix.length))
     return norm(away), s

@@ -15,6 +15,7 @@ import numpy as np
 from osculant.kernels.bihelices.family import Bihelix
 from osculant.kernels.bihelices.foot import foot
 from osculant.kernels.bihelices.helix import point_at
+from osculant.kernels.bracket import safeguarded
 from osculant.kernels.curves.space import Source, sample
 from osculant.kernels.curves.vectors import Vector, dot, norm, subtract
 from osculant.kernels.jit import kernel
@@ -34,9 +35,9 @@ CURVE, BIHELIX = 0, 1
 def at(source: Source, two: Bihelix, which: int, x: float) -> Vector:
     """A point of the curve at the parameter x, or of the bihelix at the arc length x."""
     if which == CURVE:
-        return sample(source, x)[0]
-    first = two[0][13]
-    return point_at(two[0], x) if x <= first else point_at(two[1], x - first)
+        return sample(source, x).point
+    first = two.left.length
+    return point_at(two.left, x) if x <= first else point_at(two.right, x - first)
 
 
 @kernel
@@ -56,13 +57,13 @@ def to_bihelix(two: Bihelix, rows: np.ndarray[Any, Any], p: Vector) -> float:
     """The distance of p from the bihelix, from its samples."""
     i = closest(rows, p)
     low, high = rows[max(0, i - 1), 0], rows[min(rows.shape[0] - 1, i + 1), 0]
-    first = two[0][13]
+    first = two.left.length
     least = math.inf
     if low < first:
-        least = norm(foot(two[0], p, min(rows[i, 0], first), low, min(high, first))[1])
+        least = norm(foot(two.left, p, min(rows[i, 0], first), low, min(high, first))[1])
     if high > first:
         s = max(rows[i, 0], first) - first
-        least = min(least, norm(foot(two[1], p, s, max(low, first) - first, high - first)[1]))
+        least = min(least, norm(foot(two.right, p, s, max(low, first) - first, high - first)[1]))
     return least
 
 
@@ -79,17 +80,12 @@ def to_curve(source: Source, rows: np.ndarray[Any, Any], p: Vector) -> float:
         least = min(least, norm(away))
         fall = dot(away, v)
         bend = dot(v, v) - dot(away, acceleration)
-        if fall > 0.0:
-            low = t
-        else:
-            high = t
-        new = t + fall / bend if bend > 0.0 else math.nan
-        if not (new >= low and new <= high):
-            new = 0.5 * (low + high)
-        step, t = new - t, new
+        before = t
+        t, low, high = safeguarded(t, fall / bend if bend > 0.0 else math.nan, not fall > 0.0, low, high)
+        step = t - before
         if abs(step) <= SETTLED * width:
             break
-    return min(least, norm(subtract(p, sample(source, t)[0])))
+    return min(least, norm(subtract(p, sample(source, t).point)))
 
 
 @kernel
@@ -142,7 +138,7 @@ def two_sided(source: Source, a: float, b: float, sigma: float, two: Bihelix) ->
     Infinite if the samples do not follow the curve.  An estimate as far as `POINTS` samples see each peak.
     """
     curve, helices = np.empty((POINTS, 5)), np.empty((POINTS, 5))
-    half, first, second = POINTS // 2, two[0][13], two[1][13]
+    half, first, second = POINTS // 2, two.left.length, two.right.length
     chords = 0.0
     for i in range(POINTS):
         curve[i, 0] = b if i == POINTS - 1 else a + (b - a) * i / (POINTS - 1)

@@ -12,18 +12,12 @@ T₀ with corrections that carry the small factors (sin x − x)/x and (1 − co
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from osculant.kernels.curves.vectors import Vector, combine, cross, dot, norm, scaled, subtract, unit
 from osculant.kernels.jit import kernel
-
-#: numbers of a `Helix`
-HELIX_SIZE = 17
-#: (start point ×3, start tangent ×3, τ̄V ×3, T₀ × V = κ̄N₀ ×3, β, length, turning φ, κ, τ); for a straight
-#: segment β, φ, κ, τ are 0, the third vector is the tangent and the fourth 0
-Helix = tuple[
-    float, float, float, float, float, float, float, float, float,
-    float, float, float, float, float, float, float, float,
-]  # fmt: skip
 
 #: what `short_helix` found: a proper helix; an arc of a circle; a half circle, T₁ = −T₀; a straight segment
 TWISTED, PLANE, HALF_CIRCLE, SEGMENT = 0, 1, 2, 3
@@ -40,6 +34,46 @@ ALIGNED = 1e-12
 STEPS = 100
 #: turnings below which differences of trigonometric functions are taken from their series
 SMALL = 0.5
+
+
+class Helix(NamedTuple):
+    """A helical arc, an arc of a circle, or a straight segment.
+
+    Attributes:
+        start: its first point.
+        tangent: T₀, the unit tangent there.
+        pole: τ̄V; of a segment the tangent.
+        side: T₀ × V = κ̄N₀; of a segment 0.
+        rate: β, the turning by arc length; of a segment 0, as are the following but for the length.
+        length: of the arc.
+        turning: φ about the axis.
+        curvature: κ.
+        torsion: τ.
+    """
+
+    start: Vector
+    tangent: Vector
+    pole: Vector
+    side: Vector
+    rate: float
+    length: float
+    turning: float
+    curvature: float
+    torsion: float
+
+
+#: how many numbers that is
+HELIX_SIZE = 17
+
+
+@kernel
+def write_helix(helix: Helix, row: np.ndarray[Any, Any], first: int) -> None:
+    """Write the numbers of a helix into a row, from column ``first`` on."""
+    for j in range(3):
+        row[first + j], row[first + 3 + j] = helix.start[j], helix.tangent[j]
+        row[first + 6 + j], row[first + 9 + j] = helix.pole[j], helix.side[j]
+    row[first + 12], row[first + 13], row[first + 14] = helix.rate, helix.length, helix.turning
+    row[first + 15], row[first + 16] = helix.curvature, helix.torsion
 
 
 @kernel
@@ -106,10 +140,7 @@ def straight(p: Vector, tangent: Vector, length: float) -> Helix:
     >>> point_at(straight((1.0, 2.0, 3.0), (0.0, 0.0, 1.0), 5.0), 4.0)
     (1.0, 2.0, 7.0)
     """
-    return (
-        p[0], p[1], p[2], tangent[0], tangent[1], tangent[2], tangent[0], tangent[1], tangent[2],
-        0.0, 0.0, 0.0, 0.0, length, 0.0, 0.0, 0.0,
-    )  # fmt: skip
+    return Helix(p, tangent, tangent, (0.0, 0.0, 0.0), 0.0, length, 0.0, 0.0, 0.0)
 
 
 @kernel
@@ -135,7 +166,7 @@ def short_helix(
         |⟨p₁ − p₀, T₁ − T₀⟩|/|p₁ − p₀|, and the helix.
 
     >>> kind, residual, arc = short_helix((0., 0., 0.), (0., 1., 0.), (2., 0., 0.), (0., -1., 0.), 1e-12, 0.0)
-    >>> kind == HALF_CIRCLE, round(arc[13], 12), arc[15]
+    >>> kind == HALF_CIRCLE, round(arc.length, 12), arc.curvature
     (True, 3.14159265359, 1.0)
     """
     chord = subtract(p1, p0)
@@ -198,11 +229,8 @@ def short_helix(
     rate = math.hypot(2.0 * h, slope * phi) / distance
     tangent = combine(c, e, -h, g)  # T₀ moved to where the helix exists: by rounding, or half the residual
     side = cross(tangent, v)
-    helix = (
-        p0[0], p0[1], p0[2], tangent[0], tangent[1], tangent[2],
-        slope * v[0], slope * v[1], slope * v[2], side[0], side[1], side[2],
-        rate, phi / rate, phi, h / s * rate, -slope * rate,
-    )  # fmt: skip
+    length, curvature = phi / rate, h / s * rate
+    helix = Helix(p0, tangent, scaled(slope, v), side, rate, length, phi, curvature, -slope * rate)
     return kind, abs(residual), helix
 
 
@@ -234,10 +262,8 @@ def place_at(helix: Helix, s: float) -> tuple[Vector, Vector, Vector]:
     >>> [[round(x, 9) + 0.0 for x in vector] for vector in place_at(circle, math.pi / 2)]
     [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]
     """
-    t = (helix[3], helix[4], helix[5])
-    side = (helix[9], helix[10], helix[11])
-    out = (t[0] - helix[6], t[1] - helix[7], t[2] - helix[8])
-    rate = helix[12]
+    t, side, rate = helix.tangent, helix.side, helix.rate
+    out = subtract(t, helix.pole)
     x = rate * s
     sine, cosine = math.sin(x), math.cos(x)
     if x == 0.0:
@@ -245,9 +271,9 @@ def place_at(helix: Helix, s: float) -> tuple[Vector, Vector, Vector]:
     else:
         third, second = rounding(x, sine, cosine)
     p = (
-        helix[0] + s * (t[0] + third * out[0] + second * side[0]),
-        helix[1] + s * (t[1] + third * out[1] + second * side[1]),
-        helix[2] + s * (t[2] + third * out[2] + second * side[2]),
+        helix.start[0] + s * (t[0] + third * out[0] + second * side[0]),
+        helix.start[1] + s * (t[1] + third * out[1] + second * side[1]),
+        helix.start[2] + s * (t[2] + third * out[2] + second * side[2]),
     )
     versine = -x * second
     tangent = (
@@ -273,8 +299,9 @@ def tangent_at(helix: Helix, s: float) -> Vector:
 @kernel
 def moved(helix: Helix, origin: Vector, scale: float) -> Helix:
     """The helix with all coordinates divided by ``scale`` and then moved by ``origin``."""
-    return (
-        helix[0] / scale + origin[0], helix[1] / scale + origin[1], helix[2] / scale + origin[2],
-        helix[3], helix[4], helix[5], helix[6], helix[7], helix[8], helix[9], helix[10], helix[11],
-        helix[12] * scale, helix[13] / scale, helix[14], helix[15] * scale, helix[16] * scale,
+    k = helix.start
+    start = (k[0] / scale + origin[0], k[1] / scale + origin[1], k[2] / scale + origin[2])
+    return Helix(
+        start, helix.tangent, helix.pole, helix.side, helix.rate * scale, helix.length / scale,
+        helix.turning, helix.curvature * scale, helix.torsion * scale,
     )  # fmt: skip

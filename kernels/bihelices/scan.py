@@ -38,7 +38,7 @@ View = tuple[float, float, float, float, bool]
 def look(source: Source, helix: Helix, t: float, s: float, noise: float) -> View:
     """The curve point t seen from the helix, its foot near arc length s."""
     p, v, _ = sample(source, t)
-    at, away, tangent, stiff = foot(helix, p, min(s, helix[13]), 0.0, helix[13])
+    at, away, tangent, stiff = foot(helix, p, min(s, helix.length), 0.0, helix.length)
     d, speed = norm(away), norm(v)
     slope = dot(away, v) / d if d > noise else 0.0
     return d, slope, at, speed, stiff > STIFF and dot(v, tangent) >= LEAN * speed
@@ -92,10 +92,10 @@ def side(source: Source, helix: Helix, a: float, b: float, points: int, noise: f
 
     Between ``points`` equidistant samples, or more where the helix turns a lot, each peak is sought.
     """
-    count = int(min(float(MOST), max(float(points), math.ceil(helix[14] / TURN))))
+    count = int(min(float(MOST), max(float(points), math.ceil(helix.turning / TURN))))
     step = (b - a) / count
     d0, slope0, s0, speed0, trusted = look(source, helix, a, 0.0, noise)
-    near = REACHED * helix[13] + REACHED_NOISE * noise
+    near = REACHED * helix.length + REACHED_NOISE * noise
     trusted = trusted and s0 <= near
     top = d0
     for i in range(1, count + 1):
@@ -112,14 +112,14 @@ def side(source: Source, helix: Helix, a: float, b: float, points: int, noise: f
             trusted = trusted and good
             top = max(top, peak)
         d0, slope0, s0, speed0 = d1, slope1, s1, speed1
-    return top, trusted and s0 >= helix[13] - near
+    return top, trusted and s0 >= helix.length - near
 
 
 @kernel
 def peaks(source: Source, a: float, b: float, two: Bihelix, points: int) -> tuple[float, float, bool]:
     """(left peak, right peak, trusted): the largest distances on both sides of the junction."""
-    noise = source[1][4]
-    t = two[2]
-    left, sure = side(source, two[0], a, t, points, noise)
-    right, sure_too = side(source, two[1], t, b, points, noise)
+    noise = source.place.noise
+    t = two.t
+    left, sure = side(source, two.left, a, t, points, noise)
+    right, sure_too = side(source, two.right, t, b, points, noise)
     return left, right, sure and sure_too

@@ -2,15 +2,15 @@
 
 The curve is sampled once, at the Gauss nodes of the weight (1 − x²)², as the strip between arc and conic
 vanishes doubly at both ends; Q is found by Newton's method on these samples, and the moons' areas by the
-strip's series (`strip_series`).  The number of nodes is kept in `Peaks`, and follows the decay of the series:
+strip's series (`strip_series`).  The number of nodes, a level, follows the decay of the series:
 a result is trusted only where the terms left out cannot matter.
 """
 
 from __future__ import annotations
 
 import math
+from typing import Any
 
-from osculant.kernels.conics.exchange import Peaks
 from osculant.kernels.conics.pencil import Pencil, is_proper, parabola, pencil, through, view, weight
 from osculant.kernels.conics.scan import Space
 from osculant.kernels.conics.strip import (
@@ -28,12 +28,11 @@ from osculant.kernels.conics.strip import (
 from osculant.kernels.conics.strip_series import COUNTS, NODES, WEIGHTS, evaluate, expand, tail, unsigned
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import AREA_PARABOLA, LEAST_AREA
 
 #: a whole arc, as one panel
 WHOLE = 1
-#: the number of nodes at first
-FIRST_LEVEL = (1.0, 0.0, 0.0, 0.0)
+#: which of `COUNTS` is the number of nodes at first
+FIRST_LEVEL = 1
 #: Newton steps for Q; the last one is taken on the strip's tangent, at this part of the area
 Q_STEPS, NEARLY = 8, 1e-7
 #: rounds of the search for the least area; the move of its crossing that ends them: the area is stationary
@@ -56,7 +55,7 @@ def equal_moons(pen: Pencil, q: float, level: int, lanes: Lanes) -> float:
             by_q += share * lanes[BY_Q, i]
             size += share * abs(lanes[STRIP, i])
         step = signed / by_q
-        if abs(signed) <= NEARLY * size + pen[14] * pen[10]:
+        if abs(signed) <= NEARLY * size + pen.noise * pen.chord:
             for i in range(count):
                 lanes[STRIP, i] -= step * lanes[BY_Q, i]
             return q - step
@@ -102,57 +101,103 @@ def least_area(
 @kernel
 def relative_tail(pen: Pencil, count: int, series: Lane, area: float, zeros: int) -> float:
     """The part of the area that terms after ``count`` may make up, as far as rounding lets it be told."""
-    part = max(0.0, tail(WHOLE, count, series) - pen[14] * pen[10]) / area
+    part = max(0.0, tail(WHOLE, count, series) - pen.noise * pen.chord) / area
     if zeros == 0:  # Gauss quadrature is exact to twice the degree
         part *= math.sqrt(min(1.0, part))
     return part
 
 
 @kernel
-def exchange(
-    code: int, source: Source, a: float, start: Frame, b: float, end: Frame,
-    peaks: Peaks, calm: float, space: Space,
-) -> tuple[float, float, float, Peaks]:  # fmt: skip
-    """(area, Q, unrest, next peaks) of the arc [a, b].
+def through_middle(lanes: Lanes, count: int) -> float:
+    """About the Q of the member that crosses the arc in its middle."""
+    return 0.5 * (through_node(lanes, count // 2 - 1) + through_node(lanes, count // 2))
 
-    ``unrest`` estimates the relative error of the area; where it is above ``calm``, more nodes are asked for
-    in the next call, and fewer where they would do.  The area is NaN where nothing was found.
-    """
-    level = int(peaks[0])
-    lanes, crossing = lanes_of(space), 0.0
-    more = (min(level + 1.0, len(NODES) - 1.0), 0.0, 0.0, 0.0)
-    pen = pencil(start, end, source[1][4])
-    if not is_proper(pen):
-        return math.nan, math.nan, math.inf, peaks
-    count = COUNTS[level]
-    sample_panel(pen, source, a, b, WHOLE, level, lanes)
-    if code == AREA_PARABOLA:
-        q = parabola(pen)
-        if math.isnan(q):
-            return math.nan, math.nan, math.inf, peaks
-        if fill(pen, q, count, lanes) > 0:
-            q = math.nan
-    else:
-        q = 0.5 * (through_node(lanes, count // 2 - 1) + through_node(lanes, count // 2))
-        if code == LEAST_AREA:
-            q, crossing = least_area(pen, source, a, b, q, level, lanes)
-        else:
-            q = equal_moons(pen, q, level, lanes)
+
+@kernel
+def other_level(
+    pen: Pencil, level: int, series: Lane, area: float, zeros: int, calm: float
+) -> tuple[bool, int]:
+    """(settled, next level): whether the area's relative error is small, and more or fewer nodes."""
+    if not relative_tail(pen, COUNTS[level], series, area, zeros) <= calm:
+        return False, min(level + 1, len(NODES) - 1)
+    if level > 0 and relative_tail(pen, COUNTS[level - 1], series, area, zeros) <= SPARE * calm:
+        return True, level - 1
+    return True, level
+
+
+@kernel
+def area_of(pen: Pencil, q: float, level: int, calm: float, lanes: Lanes) -> tuple[float, float, bool, int]:
+    """(area, Q, settled, next level) of the member Q, whose strip is in ``lanes``; NaN if improper."""
     if not (q > 0.0 and weight(pen, q) > -1.0):
-        return math.nan, math.nan, math.inf, peaks
+        return math.nan, math.nan, False, level
     series = lanes[SERIES]
     expand(WHOLE, level, lanes[STRIP], series)
     area, zeros = unsigned(WHOLE, level, lanes[STRIP], series)
-    if code == LEAST_AREA:
-        _, _, first = evaluate(WHOLE, count, series, crossing)
-        _, _, signed = evaluate(WHOLE, count, series, 1.0)
-        if area - abs(first) - abs(signed - first) > calm * area + pen[14] * pen[10]:
-            return area, q, math.inf, peaks  # more than one crossing: stationarity is another equation
-    unrest = relative_tail(pen, count, series, area, zeros)
-    if not unrest <= calm:
-        return area, q, unrest, more
-    if level > 0:
-        fewer = relative_tail(pen, COUNTS[level - 1], series, area, zeros)
-        if fewer <= SPARE * calm:
-            return area, q, unrest, (level - 1.0, 0.0, 0.0, 0.0)
-    return area, q, unrest, peaks
+    settled, after = other_level(pen, level, series, area, zeros, calm)
+    return area, q, settled, after
+
+
+@kernel
+def parabola_area(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame,
+    level: int, calm: float, space: Space,
+) -> tuple[float, float, bool, int]:  # fmt: skip
+    """(area, Q, settled, next level) of the parabola of the arc [a, b], from `COUNTS` [level] nodes.
+
+    Where the estimated relative error of the area is above ``calm``, it has not settled, and more nodes are
+    asked for in the next call; fewer where they would do.  The area is NaN where nothing was found.
+    """
+    lanes = lanes_of(space)
+    pen = pencil(start, end, source.place.noise)
+    q = math.nan
+    if is_proper(pen):
+        sample_panel(pen, source, a, b, WHOLE, level, lanes)
+        q = parabola(pen)
+        if not math.isnan(q) and fill(pen, q, COUNTS[level], lanes) > 0:
+            q = math.nan
+    return area_of(pen, q, level, calm, lanes)
+
+
+@kernel
+def equal_area(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame,
+    level: int, calm: float, space: Space,
+) -> tuple[float, float, bool, int]:  # fmt: skip
+    """The same for the conic whose moons are equal."""
+    lanes = lanes_of(space)
+    pen = pencil(start, end, source.place.noise)
+    q = math.nan
+    if is_proper(pen):
+        sample_panel(pen, source, a, b, WHOLE, level, lanes)
+        q = equal_moons(pen, through_middle(lanes, COUNTS[level]), level, lanes)
+    return area_of(pen, q, level, calm, lanes)
+
+
+@kernel
+def stationary_area(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame,
+    level: int, calm: float, space: Space,
+) -> tuple[float, float, bool, int]:  # fmt: skip
+    """The same for the conic of least area, which has not settled where it crosses the arc more than once.
+
+    Then stationarity is another equation.
+    """
+    lanes, crossing, q = lanes_of(space), 0.0, math.nan
+    count = COUNTS[level]
+    pen = pencil(start, end, source.place.noise)
+    if is_proper(pen):
+        sample_panel(pen, source, a, b, WHOLE, level, lanes)
+        q, crossing = least_area(pen, source, a, b, through_middle(lanes, count), level, lanes)
+    area, q, settled, after = area_of(pen, q, level, calm, lanes)
+    if area > 0.0:
+        _, _, first = evaluate(WHOLE, count, lanes[SERIES], crossing)
+        _, _, signed = evaluate(WHOLE, count, lanes[SERIES], 1.0)
+        if area - abs(first) - abs(signed - first) > calm * area + pen.noise * pen.chord:
+            return area, q, False, level
+    return area, q, settled, after
+
+
+@kernel
+def first_level(fit: Any) -> int:
+    """`FIRST_LEVEL`, whatever the fit."""
+    return FIRST_LEVEL

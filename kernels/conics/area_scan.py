@@ -9,12 +9,12 @@ not a certificate.
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
 
 from osculant.kernels.conics.area_exchange import WHOLE
 from osculant.kernels.conics.pencil import Pencil, is_flat, is_proper, parabola, pencil, weight
 from osculant.kernels.conics.scan import (
     DEPTH,
-    GRID,
     LARGEST_PART,
     LARGEST_TURN,
     TOLD,
@@ -37,7 +37,6 @@ from osculant.kernels.conics.strip import (
 from osculant.kernels.conics.strip_series import COUNTS, WEIGHTS, expand, tail, unsigned
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import AREA_PARABOLA, LEAST_AREA
 
 #: a part of an arc, and the numbers of nodes (indices) of a panel and of a whole arc
 PANEL, PANEL_LEVEL, WHOLE_LEVEL = 0, 3, 3
@@ -49,9 +48,17 @@ ROUNDS, EVEN = 80, 1e-13
 GRID_Q, SECTIONS = 24, 45
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 
-#: (signed area, its derivative by Q, area); the first is NaN if a normal misses the member, and the last then
-#: is positive if Q is too large, negative if it is too small, and NaN if that helps nothing
-Areas = tuple[float, float, float]
+
+class Areas(NamedTuple):
+    """Signed area, its derivative by Q, and area.
+
+    The first is NaN if a normal misses the member, and the last then is positive if Q is too large, negative
+    if it is too small, and NaN if that helps nothing.
+    """
+
+    signed: float
+    by_q: float
+    area: float
 
 
 @kernel
@@ -71,7 +78,7 @@ def turns_much(
 @kernel
 def largest_turn(pen: Pencil) -> float:
     """The sine of the angle by which tangents of neighbouring nodes may differ (`scan.look`)."""
-    cosine, sine = pen[2] * pen[6] + pen[3] * pen[7], pen[13]
+    cosine, sine = pen.tx0 * pen.tx2 + pen.ty0 * pen.ty2, pen.sin_psi
     largest = math.sin(LARGEST_TURN)
     if cosine > 0.0 and sine > 0.0:
         return min(largest, max(TOLD, LARGEST_PART * sine))
@@ -100,30 +107,31 @@ def in_panels(pen: Pencil, q: float, source: Source, a: float, b: float, size: f
     open_ends = 1
     for _ in range(MOST_PANELS):
         if open_ends == 0:
-            return signed, by_q, area
+            return Areas(signed, by_q, area)
         high = pending[open_ends - 1]
         sample_panel(pen, source, low, high, PANEL, PANEL_LEVEL, lanes)
         much, next_cosine, next_sine = turns_much(cosine, sine, lanes, count, largest)
         if not much:
             missing = fill(pen, q, count, lanes)
             if missing > 0:
-                return math.nan, math.nan, q - through_node(lanes, missing - 1)
+                return Areas(math.nan, math.nan, q - through_node(lanes, missing - 1))
             series = lanes[SERIES]
             expand(PANEL, PANEL_LEVEL, lanes[STRIP], series)
-            rest = tail(PANEL, count, series) - ROUNDING * pen[14] * pen[10] * (high - low) / (b - a)
+            rest = tail(PANEL, count, series) - ROUNDING * pen.noise * pen.chord * (high - low) / (b - a)
             much = not rest <= ACCURACY * size
         if much and open_ends < DEPTH:
             pending[open_ends] = 0.5 * (low + high)
             open_ends += 1
             continue
         if much:
-            return math.nan, math.nan, math.nan
+            return Areas(math.nan, math.nan, math.nan)
         more, more_by_q = summed(count, PANEL, PANEL_LEVEL, lanes)
         signed, by_q = signed + more, by_q + more_by_q
-        area += unsigned(PANEL, PANEL_LEVEL, lanes[STRIP], lanes[SERIES])[0]
+        part, _ = unsigned(PANEL, PANEL_LEVEL, lanes[STRIP], lanes[SERIES])
+        area += part
         low, cosine, sine = high, next_cosine, next_sine
         open_ends -= 1
-    return math.nan, math.nan, math.nan
+    return Areas(math.nan, math.nan, math.nan)
 
 
 @kernel
@@ -135,18 +143,18 @@ def areas(pen: Pencil, q: float, source: Source, a: float, b: float, space: Spac
     much, _, _ = turns_much(1.0, 0.0, lanes, count, largest_turn(pen))
     missing = fill(pen, q, count, lanes)
     if missing > 0 and not much:
-        return math.nan, math.nan, q - through_node(lanes, missing - 1)
+        return Areas(math.nan, math.nan, q - through_node(lanes, missing - 1))
     size = 0.0
     if missing == 0:
         series = lanes[SERIES]
         expand(WHOLE, WHOLE_LEVEL, lanes[STRIP], series)
         size, _ = unsigned(WHOLE, WHOLE_LEVEL, lanes[STRIP], series)
-        if not much and tail(WHOLE, count, series) <= ACCURACY * size + ROUNDING * pen[14] * pen[10]:
+        if not much and tail(WHOLE, count, series) <= ACCURACY * size + ROUNDING * pen.noise * pen.chord:
             signed, by_q = summed(count, WHOLE, WHOLE_LEVEL, lanes)
-            return signed, by_q, size
+            return Areas(signed, by_q, size)
     result = in_panels(pen, q, source, a, b, size, space)
-    if result[2] < 0.5 * size:  # panels have to be finer than it seemed
-        result = in_panels(pen, q, source, a, b, result[2], space)
+    if result.area < 0.5 * size:  # panels have to be finer than it seemed
+        result = in_panels(pen, q, source, a, b, result.area, space)
     return result
 
 
@@ -234,27 +242,70 @@ def least(
 
 
 @kernel
-def best(
-    code: int, source: Source, a: float, start: Frame, b: float, end: Frame, space: Space
+def best_parabola(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
 ) -> tuple[float, float]:
-    """(area, Q) of the code's piece of the arc [a, b]; the area is infinite if there is none.
+    """(area, Q) of the parabola of the arc [a, b]; the area is infinite if there is none.
 
     Q = 0 is the chord, of an arc that is straight to rounding.
     """
-    pen = pencil(start, end, source[1][4])
+    pen = pencil(start, end, source.place.noise)
     if is_flat(pen):
         return measure(pen, 0.0, source, a, b, space), 0.0
     if not is_proper(pen):
         return math.inf, math.nan
-    if code == AREA_PARABOLA:
-        q = parabola(pen)
-        if math.isnan(q):
-            return math.inf, math.nan
-        return measure(pen, q, source, a, b, space), q
-    count = look(pen, source, a, b, GRID, space)
-    low, high = members_through(pen, space, count)
-    if not (count > 0 and low > 0.0):
+    q = parabola(pen)
+    if math.isnan(q):
         return math.inf, math.nan
-    if code == LEAST_AREA:
-        return least(pen, source, a, b, low, high, space)
-    return even(pen, source, a, b, low, high, space)
+    return measure(pen, q, source, a, b, space), q
+
+
+@kernel
+def bracket(
+    pen: Pencil, source: Source, a: float, b: float, points: int, space: Space
+) -> tuple[float, float]:
+    """(least, greatest) Q of members through points of the arc; (0, 0) if there are none."""
+    if not is_proper(pen):
+        return 0.0, 0.0
+    count = look(pen, source, a, b, points, space)
+    return members_through(pen, space, count) if count > 0 else (0.0, 0.0)
+
+
+@kernel
+def best_equal(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
+) -> tuple[float, float]:
+    """(area, Q) of the conic whose moons are equal, as `best_parabola`."""
+    pen = pencil(start, end, source.place.noise)
+    if is_flat(pen):
+        return measure(pen, 0.0, source, a, b, space), 0.0
+    low, high = bracket(pen, source, a, b, points, space)
+    return even(pen, source, a, b, low, high, space) if low > 0.0 else (math.inf, math.nan)
+
+
+@kernel
+def best_least(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
+) -> tuple[float, float]:
+    """(area, Q) of the conic of least area, as `best_parabola`."""
+    pen = pencil(start, end, source.place.noise)
+    if is_flat(pen):
+        return measure(pen, 0.0, source, a, b, space), 0.0
+    low, high = bracket(pen, source, a, b, points, space)
+    return least(pen, source, a, b, low, high, space) if low > 0.0 else (math.inf, math.nan)
+
+
+@kernel
+def confirm(
+    fit: Any,
+    q: float,
+    source: Source,
+    a: float,
+    start: Frame,
+    b: float,
+    end: Frame,
+    points: int,
+    space: Space,
+) -> tuple[float, float]:
+    """(area, Q) of the member Q, measured."""
+    return measure(pencil(start, end, source.place.noise), q, source, a, b, space), q

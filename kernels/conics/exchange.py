@@ -4,12 +4,13 @@ A conic's error has two peaks of opposite sign, equal for the minimax conic; a p
 The peaks' places and sharpnesses, in units of the arc, change slowly from arc to arc, so the caller
 keeps them in a `Peaks` tuple: each call samples the curve at the believed peaks, chooses Q, and moves
 the peaks by one Newton step.  Nothing is bracketed here: a result is trusted only if it is
-consistent, and `greedy` has `minimax` to fall back on.
+consistent, and the search has `minimax` to fall back on.
 """
 
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
 
 from osculant.kernels.conics.pencil import (
     Pencil,
@@ -22,14 +23,31 @@ from osculant.kernels.conics.pencil import (
     view,
     weight,
 )
+from osculant.kernels.conics.scan import Space
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import CONIC as CONIC
-from osculant.kernels.primitives import PARABOLA as PARABOLA
 
-#: places and sharpnesses −d″/d of the two peaks (one peak: both the same), in units of the arc
-Peaks = tuple[float, float, float, float]
+
+class Peaks(NamedTuple):
+    """The peaks of one arc's error, for the next arc; of one peak both say the same.
+
+    Attributes:
+        first, last: their places, in parts of the arc.
+        sharp_first, sharp_last: their sharpnesses −d″/d, in units of the arc.
+        before_first, before_last: where they were believed to be in the visit before, NaN if there was none.
+        steep_first, steep_last: d′/d there.
+    """
+
+    first: float
+    last: float
+    sharp_first: float
+    sharp_last: float
+    before_first: float
+    before_last: float
+    steep_first: float
+    steep_last: float
+
 
 #: Newton steps for Q: it starts within the bracket of the two samples' own members
 Q_STEPS = 12
@@ -44,13 +62,29 @@ TELLING_MOVE = 1e-5
 
 
 @kernel
-def first_peaks(primitive: int) -> Peaks:
-    """The peaks of the leading error term of a short arc."""
-    if primitive == PARABOLA:
-        x, c = generated.PARABOLA_FIRST, generated.PARABOLA_SHARPNESS
-        return x, x, c, c
+def at_rest(first: float, last: float, sharp_first: float, sharp_last: float) -> Peaks:
+    """Peaks that were not visited before."""
+    return Peaks(first, last, sharp_first, sharp_last, math.nan, math.nan, math.nan, math.nan)
+
+
+@kernel
+def one_peak(fit: Any) -> Peaks:
+    """The peak of a short arc's distance from its parabola, by the leading term."""
+    x, c = generated.PARABOLA_FIRST, generated.PARABOLA_SHARPNESS
+    return at_rest(x, x, c, c)
+
+
+@kernel
+def two_peaks(fit: Any) -> Peaks:
+    """The peaks of a short arc's distance from its best conic, by the leading term."""
     c = generated.CONIC_SHARPNESS
-    return generated.CONIC_FIRST, generated.CONIC_LAST, c, c
+    return at_rest(generated.CONIC_FIRST, generated.CONIC_LAST, c, c)
+
+
+@kernel
+def unvisited(fit: Any, peaks: Peaks) -> Peaks:
+    """The same peaks for another arc."""
+    return at_rest(peaks.first, peaks.last, peaks.sharp_first, peaks.sharp_last)
 
 
 @kernel
@@ -102,54 +136,56 @@ def balance(pen: Pencil, first: View, last: View, h: float, sharp1: float, sharp
 
 
 @kernel
-def exchange(
-    primitive: int,
-    source: Source,
-    a: float,
-    start: Frame,
-    b: float,
-    end: Frame,
-    peaks: Peaks,
-    steeps: tuple[float, float],
-    before: tuple[float, float],
-) -> tuple[float, float, float, Peaks, tuple[float, float]]:
-    """One fast evaluation of the arc [a, b].
+def visit_one(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame,
+    peaks: Peaks, calm: float, space: Space,
+) -> tuple[float, float, bool, Peaks]:  # fmt: skip
+    """(error, Q, settled, next peaks) of the parabola of the arc [a, b], by one fast evaluation.
 
-    ``steeps`` and ``before`` are d′/d and the places of the previous visit (NaN at first).  Returns
-    (error, Q, unrest, next peaks, steeps): ``unrest`` is the relative size of the last peak
-    correction, small once the peaks have settled.  The error is NaN if the arc has no such member or
-    the two samples are not on opposite sides.
+    The peak has settled if its last correction is at most the part ``calm`` of the error.  The error is NaN
+    if there is no parabola.
     """
-    x1, x2, sharp1, sharp2 = peaks
-    h = b - a
-    pen = pencil(start, end, source[1][4])
-    failed = (math.nan, math.nan, math.nan, peaks, steeps)
+    x, h = peaks.first, b - a
+    pen = pencil(start, end, source.place.noise)
     if not is_proper(pen):
-        return failed
-    first = view(pen, source, a + x1 * h)
-    if primitive == PARABOLA:
-        q = parabola(pen)
-        if math.isnan(q):
-            return failed
-        d, _, slope = displacement(pen, q, first)
-        steep = slope * h / d
-        sharp = sharpened(sharp1, before[0], x1, steeps[0], steep)
-        top = peak(d, slope * h, sharp)
-        x = moved(x1, d, slope * h, sharp)
-        return abs(top), q, abs(top / d - 1.0), (x, x, sharp, sharp), (steep, steep)
-    last = view(pen, source, a + x2 * h)
-    q = balance(pen, first, last, h, sharp1, sharp2)
+        return math.nan, math.nan, False, peaks
+    q = parabola(pen)
+    if math.isnan(q):
+        return math.nan, math.nan, False, peaks
+    d, _, slope = displacement(pen, q, view(pen, source, a + x * h))
+    steep = slope * h / d
+    sharp = sharpened(peaks.sharp_first, peaks.before_first, x, peaks.steep_first, steep)
+    top = peak(d, slope * h, sharp)
+    place = moved(x, d, slope * h, sharp)
+    return abs(top), q, abs(top / d - 1.0) <= calm, Peaks(place, place, sharp, sharp, x, x, steep, steep)
+
+
+@kernel
+def visit_two(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame,
+    peaks: Peaks, calm: float, space: Space,
+) -> tuple[float, float, bool, Peaks]:  # fmt: skip
+    """(error, Q, settled, next peaks) of the best conic of the arc [a, b], as `visit_one`.
+
+    The error is NaN, too, if the two samples are not on opposite sides of it.
+    """
+    x1, x2, h = peaks.first, peaks.last, b - a
+    pen = pencil(start, end, source.place.noise)
+    if not is_proper(pen):
+        return math.nan, math.nan, False, peaks
+    first, last = view(pen, source, a + x1 * h), view(pen, source, a + x2 * h)
+    q = balance(pen, first, last, h, peaks.sharp_first, peaks.sharp_last)
     if not (q > 0.0 and weight(pen, q) > -1.0):
-        return failed
+        return math.nan, math.nan, False, peaks
     d1, _, slope1 = displacement(pen, q, first)
     d2, _, slope2 = displacement(pen, q, last)
     if not d1 * d2 < 0.0:
-        return failed
+        return math.nan, math.nan, False, peaks
     steep1, steep2 = slope1 * h / d1, slope2 * h / d2
-    sharp1 = sharpened(sharp1, before[0], x1, steeps[0], steep1)
-    sharp2 = sharpened(sharp2, before[1], x2, steeps[1], steep2)
+    sharp1 = sharpened(peaks.sharp_first, peaks.before_first, x1, peaks.steep_first, steep1)
+    sharp2 = sharpened(peaks.sharp_last, peaks.before_last, x2, peaks.steep_last, steep2)
     top1, top2 = peak(d1, slope1 * h, sharp1), peak(d2, slope2 * h, sharp2)
     unrest = max(abs(top1 / d1 - 1.0), abs(top2 / d2 - 1.0))
-    places = (moved(x1, d1, slope1 * h, sharp1), moved(x2, d2, slope2 * h, sharp2))
+    place1, place2 = moved(x1, d1, slope1 * h, sharp1), moved(x2, d2, slope2 * h, sharp2)
     error = max(abs(top1), abs(top2))
-    return error, q, unrest, (places[0], places[1], sharp1, sharp2), (steep1, steep2)
+    return error, q, unrest <= calm, Peaks(place1, place2, sharp1, sharp2, x1, x2, steep1, steep2)

@@ -3,53 +3,54 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
-from osculant.kernels.biarcs import area_scan as biarc_moons
-from osculant.kernels.biarcs import scan as biarc_scan
-from osculant.kernels.conics import area_scan
 from osculant.kernels.conics.pencil import Pencil, is_flat, is_proper, parabola, pencil, weight
-from osculant.kernels.conics.scan import GRID, Space, extremes, look, measure, members_through
+from osculant.kernels.conics.scan import Space, extremes, look, measure, members_through
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.jit import kernel
-from osculant.kernels.primitives import BIARC, CONIC_AREAS, EQUISYMMETRIC_BIARC, PARABOLA
 
 #: rounds of the search for Q, and its relative accuracy
 ROUNDS, BALANCED = 80, 1e-12
 
 
 @kernel
-def minimax(
-    primitive: int, source: Source, a: float, start: Frame,
-    b: float, end: Frame, space: Space,
-) -> tuple[float, float]:  # fmt: skip
-    """(error, Q) of the piece of the arc [a, b] that ``primitive`` asks for; error infinite if none.
+def best_parabola(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
+) -> tuple[float, float]:
+    """(error, Q) of the parabola of the arc [a, b]; error infinite if there is none.
 
-    Q = 0 is the chord, of an arc that is straight to rounding.  Of a biarc Q is its μ.  The error is an area
-    where ``primitive`` is one of the area metric.
-
-    d decreases or increases with Q at every point at once, so max d + min d has one zero, between
-    the least and the greatest Q of the members through the samples.
+    Q = 0 is the chord, of an arc that is straight to rounding.
     """
-    if primitive == BIARC:
-        return biarc_scan.best(source, a, start, b, end, space)
-    if primitive == EQUISYMMETRIC_BIARC:
-        return biarc_moons.best(source, a, start, b, end, space)
-    if primitive in CONIC_AREAS:
-        return area_scan.best(primitive, source, a, start, b, end, space)
-    pen = pencil(start, end, source[1][4])
+    pen = pencil(start, end, source.place.noise)
     if is_flat(pen):
-        return measure(pen, 0.0, source, a, b, GRID, space), 0.0
+        return measure(pen, 0.0, source, a, b, points, space), 0.0
     if not is_proper(pen):
         return math.inf, math.nan
-    count = look(pen, source, a, b, GRID, space)
+    q = parabola(pen)
+    if math.isnan(q):
+        return math.inf, math.nan
+    return measure(pen, q, source, a, b, points, space), q
+
+
+@kernel
+def best_conic(
+    fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
+) -> tuple[float, float]:
+    """(error, Q) of the conic of the arc [a, b] with max d = −min d; error infinite if there is none.
+
+    Q = 0 is the chord, of an arc that is straight to rounding.  d decreases or increases with Q at every
+    point at once, so max d + min d has one zero, between the least and the greatest Q of the members through
+    the samples.
+    """
+    pen = pencil(start, end, source.place.noise)
+    if is_flat(pen):
+        return measure(pen, 0.0, source, a, b, points, space), 0.0
+    if not is_proper(pen):
+        return math.inf, math.nan
+    count = look(pen, source, a, b, points, space)
     if count < 0:
         return math.inf, math.nan
-    if primitive == PARABOLA:
-        q = parabola(pen)
-        if math.isnan(q):
-            return math.inf, math.nan
-        top, bottom = extremes(pen, q, source, a, b, space, count)
-        return (math.inf if math.isnan(top) else max(top, -bottom)), q
     low, high = members_through(pen, space, count)
     if high == 0.0:
         return math.inf, math.nan

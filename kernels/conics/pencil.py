@@ -3,17 +3,50 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 
-#: (P₀, T₀, P₂, T₂, ĉ, |chord|, sin A, sin B, sin ψ, noise of coordinates), flattened
-Pencil = tuple[
-    float, float, float, float, float, float, float, float, float, float, float, float, float, float, float
-]
-#: l₀, l₁, l₂, their derivatives along N and along T, the speed and the curvature at one curve point
-View = tuple[float, float, float, float, float, float, float, float, float, float, float]
+
+class Pencil(NamedTuple):
+    """The bitangent conics of one arc: end frames (P₀, T₀), (P₂, T₂), the chord, and its angles.
+
+    ``c`` is the chord's direction and A, B, ψ its angles with the end tangents and the angle between those.
+    """
+
+    x0: float
+    y0: float
+    tx0: float
+    ty0: float
+    x2: float
+    y2: float
+    tx2: float
+    ty2: float
+    cx: float
+    cy: float
+    chord: float
+    sin_a: float
+    sin_b: float
+    sin_psi: float
+    noise: float
+
+
+class View(NamedTuple):
+    """l₀, l₁, l₂ at a curve point, their derivatives along N and along T, the speed and the curvature."""
+
+    l0: float
+    l1: float
+    l2: float
+    n0: float
+    n1: float
+    n2: float
+    t0: float
+    t1: float
+    t2: float
+    speed: float
+    curvature: float
 
 
 @kernel
@@ -26,13 +59,13 @@ def pencil(start: Frame, end: Frame, noise: float) -> Pencil:
     sin_a = tx0 * cy - ty0 * cx
     sin_b = cx * ty2 - cy * tx2
     sin_psi = tx0 * ty2 - ty0 * tx2
-    return x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, chord, sin_a, sin_b, sin_psi, noise
+    return Pencil(x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, chord, sin_a, sin_b, sin_psi, noise)
 
 
 @kernel
 def is_proper(pen: Pencil) -> bool:
     """Whether bounded members can exist: the arc bends to the left of both end tangents."""
-    return pen[10] > 0.0 and pen[11] > 0.0 and pen[12] > 0.0
+    return pen.chord > 0.0 and pen.sin_a > 0.0 and pen.sin_b > 0.0
 
 
 #: angles between the chord and the end tangents below which an arc is straight …
@@ -42,14 +75,14 @@ FLAT = 1e-13
 @kernel
 def is_flat(pen: Pencil) -> bool:
     """Whether the chord meets both end tangents as well as doubles can tell: then it is the piece."""
-    flat = FLAT + pen[14] / pen[10]  # … where they can be told from rounding
-    return abs(pen[11]) < flat and abs(pen[12]) < flat and pen[2] * pen[8] + pen[3] * pen[9] > 0.0
+    flat = FLAT + pen.noise / pen.chord  # … where they can be told from rounding
+    return abs(pen.sin_a) < flat and abs(pen.sin_b) < flat and pen.tx0 * pen.cx + pen.ty0 * pen.cy > 0.0
 
 
 @kernel
 def weight(pen: Pencil, q: float) -> float:
     """The Bézier weight w of the member Q; the arc is bounded iff w > −1."""
-    w, _ = generated.weight(q, pen[10], pen[11], pen[12], pen[13])
+    w, _ = generated.weight(q, pen.chord, pen.sin_a, pen.sin_b, pen.sin_psi)
     return w
 
 
@@ -60,20 +93,20 @@ NEAR_PI = 1e-8
 @kernel
 def parabola(pen: Pencil) -> float:
     """Q of the parabola; NaN if the end tangents do not meet ahead, or as good as at infinity."""
-    turns_back = pen[2] * pen[6] + pen[3] * pen[7] < 0.0
-    if not pen[13] > (NEAR_PI if turns_back else 0.0):
+    turns_back = pen.tx0 * pen.tx2 + pen.ty0 * pen.ty2 < 0.0
+    if not pen.sin_psi > (NEAR_PI if turns_back else 0.0):
         return math.nan
-    return generated.parabola(pen[11], pen[12], pen[13])
+    return generated.parabola(pen.sin_a, pen.sin_b, pen.sin_psi)
 
 
 @kernel
 def view(pen: Pencil, source: Source, t: float) -> View:
     """The three lines of the pencil and their derivatives at α(t)."""
     x, y, tx, ty, speed, curvature = sample(source, t)
-    x0, y0, tx0, ty0, x2, y2, tx2, ty2, cx, cy, _, _, _, _, _ = pen
-    ux, uy, vx, vy = x - x0, y - y0, x - x2, y - y2
+    ux, uy, vx, vy = x - pen.x0, y - pen.y0, x - pen.x2, y - pen.y2
+    tx0, ty0, tx2, ty2, cx, cy = pen.tx0, pen.ty0, pen.tx2, pen.ty2, pen.cx, pen.cy
     # [v, N] with N = (−T_y, T_x) is the scalar product of v and T
-    return (
+    return View(
         tx2 * vy - ty2 * vx,
         cx * uy - cy * ux,
         tx0 * uy - ty0 * ux,
@@ -91,8 +124,11 @@ def view(pen: Pencil, source: Source, t: float) -> View:
 @kernel
 def displacement(pen: Pencil, q: float, seen: View) -> tuple[float, float, float]:
     """d, ∂d/∂Q and d′ at a point; d is NaN where the normal misses the arc of the member Q."""
-    d, by_q, slope, foot0, foot1, foot2 = generated.displacement(q, *seen)
-    noise = pen[14]
+    d, by_q, slope, foot0, foot1, foot2 = generated.displacement(
+        q, seen.l0, seen.l1, seen.l2, seen.n0, seen.n1, seen.n2,
+        seen.t0, seen.t1, seen.t2, seen.speed, seen.curvature,
+    )  # fmt: skip
+    noise = pen.noise
     if foot0 >= -noise and foot1 <= noise and foot2 >= -noise:
         return d, by_q, slope
     return math.nan, by_q, slope
@@ -101,13 +137,13 @@ def displacement(pen: Pencil, q: float, seen: View) -> tuple[float, float, float
 @kernel
 def within_noise(pen: Pencil, seen: View) -> bool:
     """Whether the point is so near an end tangent or the chord that rounding hides on which side it is."""
-    noise = pen[14]
-    return abs(seen[0]) <= noise or abs(seen[1]) <= noise or abs(seen[2]) <= noise
+    noise = pen.noise
+    return abs(seen.l0) <= noise or abs(seen.l1) <= noise or abs(seen.l2) <= noise
 
 
 @kernel
 def through(seen: View) -> float:
     """Q of the member through the point, NaN unless the point is inside both end tangents."""
-    if seen[0] > 0.0 and seen[2] > 0.0 and seen[1] < 0.0:
-        return generated.through(seen[0], seen[1], seen[2])
+    if seen.l0 > 0.0 and seen.l2 > 0.0 and seen.l1 < 0.0:
+        return generated.through(seen.l0, seen.l1, seen.l2)
     return math.nan

@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.conics.pencil import Pencil, View, displacement, through, view, within_noise
-from osculant.kernels.curves.plane import Source
+from osculant.kernels.conics.pencil import Pencil, View, displacement, pencil, through, view, within_noise
+from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.jit import kernel
 
 #: numbers of a row: a `View` and its parameter value
 ROW_SIZE = 12
-#: equidistant points of a careful look, and rows for them and for those put between
-GRID, ROWS = 40, 400
+#: rows for views
+ROWS = 400
 #: (rows for views, stack for intervals): what `workspace` makes
 Space = tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]
 #: neighbouring samples whose tangents differ by more than this angle, or by more than this part of the arc's
@@ -34,7 +34,7 @@ MARGIN = 0.01
 
 
 @kernel
-def workspace() -> Space:
+def workspace(fit: Any) -> Space:
     """Scratch space for the functions of this module, made once per spline."""
     return np.empty((ROWS, ROW_SIZE)), np.empty((DEPTH, 4))
 
@@ -51,7 +51,7 @@ def look(
     """
     count = 0
     cosine, sine = 1.0, 0.0  # of the angle from T₀ to the tangent of the last row
-    last_cosine, last_sine = pen[2] * pen[6] + pen[3] * pen[7], pen[13]
+    last_cosine, last_sine = pen.tx0 * pen.tx2 + pen.ty0 * pen.ty2, pen.sin_psi
     largest = math.sin(LARGEST_TURN)
     if last_cosine > 0.0 and last_sine > 0.0:
         largest = min(largest, max(TOLD, LARGEST_PART * last_sine))
@@ -68,7 +68,7 @@ def look(
                 if count == rows.shape[0]:
                     return -1
                 seen = view(pen, source, t)
-                cosine_here, sine_here = seen[5], seen[8]
+                cosine_here, sine_here = seen.n2, seen.t2
             turns = cosine * sine_here - sine * cosine_here  # the sine of the angle
             beyond = cosine * cosine_here + sine * sine_here < 0.0
             if (turns > largest or beyond) and open_ends < DEPTH:
@@ -89,7 +89,7 @@ def look(
 def at_row(rows: np.ndarray[Any, Any], i: int) -> View:
     """Row i of ``rows`` as a `View`."""
     v = rows[i]
-    return v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10]
+    return View(v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10])
 
 
 @kernel
@@ -158,7 +158,7 @@ def missed(q: float, seen: View) -> tuple[float, float]:
 @kernel
 def lean(slope: float, d: float, seen: View) -> float:
     """The tangent of the angle between the curve and the conic at the foot."""
-    return slope / (seen[9] * (1.0 - seen[10] * d))
+    return slope / (seen.speed * (1.0 - seen.curvature * d))
 
 
 @kernel
@@ -267,6 +267,25 @@ def measure(
     if count < 0:
         return math.inf
     if q == 0.0:
-        return float(np.abs(space[0][:count, 1]).max())  # |l₁|, the distance from the chord
+        farthest = 0.0
+        for i in range(count):
+            farthest = max(farthest, abs(space[0][i, 1]))  # |l₁|, the distance from the chord
+        return farthest
     top, bottom = extremes(pen, q, source, a, b, space, count)
     return math.inf if math.isnan(top) else max(top, -bottom)
+
+
+@kernel
+def confirm(
+    fit: Any,
+    q: float,
+    source: Source,
+    a: float,
+    start: Frame,
+    b: float,
+    end: Frame,
+    points: int,
+    space: Space,
+) -> tuple[float, float]:
+    """(error, Q) of the member Q, measured from ``points`` samples or more."""
+    return measure(pencil(start, end, source.place.noise), q, source, a, b, points, space), q

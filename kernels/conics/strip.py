@@ -55,7 +55,7 @@ def fill(pen: Pencil, q: float, count: int, lanes: Lanes) -> int:
 
     Returns 0, or 1 + a node whose normal misses the member's arc.
     """
-    noise, missed = pen[14], 0
+    noise, missed = pen.noise, 0
     if q == 0.0:
         for i in range(count):
             d = -lanes[L1, i] / lanes[N1, i]

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.curves.plane import call_jet
+from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.generated.invariants import invariants
 from osculant.kernels.jit import kernel
 

@@ -3,68 +3,107 @@
 The compiled jet arrives as the address of ``void(double t, double *out)`` writing
 x, x′, x″, y, y′, y″.  Coordinates are taken relative to an origin, scaled by a power of two and, where the
 curve bends to the right, mirrored, so that every kernel sees a curve of size about 1 that bends to
-the left.  ``place`` = (origin x, origin y, scale, ±1, noise) says so, noise being what rounding does to them.
+the left; a `Place` says so.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any, cast
+from typing import Any, NamedTuple
 
 import numpy as np
-from llvmlite import ir
-from numba import types
-from numba.extending import intrinsic
 
+from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.jit import kernel
 
 #: doubles a jet of order 2 of a plane curve fills
 JET_SIZE = 6
 
-#: (origin x, origin y, scale, ±1, absolute error of the scaled coordinates)
-Place = tuple[float, float, float, float, float]
-#: (address of the compiled jet, place, scratch space for one jet: `JET_SIZE` doubles)
-Source = tuple[int, Place, np.ndarray[Any, Any]]
-#: (x, y, unit tangent x, unit tangent y) in the kernel's coordinates
-Frame = tuple[float, float, float, float]
+
+class Place(NamedTuple):
+    """The kernel's coordinates.
+
+    Attributes:
+        x, y: their origin, in the user's coordinates.
+        scale: of both, a power of two.
+        side: 1, or −1 where y is mirrored as the curve bends to the right.
+        noise: the absolute error of the scaled coordinates.
+    """
+
+    x: float
+    y: float
+    scale: float
+    side: float
+    noise: float
 
 
-@intrinsic
-def _call_address(typing: Any, address: Any, t: Any, out: Any) -> Any:
-    """Call the machine code at ``address`` with (t, pointer to the data of ``out``)."""
+class Source(NamedTuple):
+    """What samples the curve: the compiled jet's address, the place, and room for one jet."""
 
-    def emit(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        double = ir.DoubleType()
-        function = ir.FunctionType(ir.VoidType(), [double, double.as_pointer()])
-        pointer = builder.inttoptr(args[0], function.as_pointer())
-        array = context.make_array(signature.args[2])(context, builder, args[2])
-        builder.call(pointer, [args[1], array.data])
-        return context.get_dummy_value()
-
-    return types.void(types.int64, types.float64, out), emit
+    address: int
+    place: Place
+    jet: np.ndarray[Any, Any]
 
 
-#: (address, t, out): evaluate a compiled jet; numba supplies the intrinsic's first argument
-call_jet = cast(Callable[[int, float, np.ndarray[Any, Any]], None], _call_address)
+class Frame(NamedTuple):
+    """A point of the curve and its unit tangent."""
+
+    x: float
+    y: float
+    tx: float
+    ty: float
+
+
+class Sample(NamedTuple):
+    """Position, unit tangent, speed |α′| and curvature."""
+
+    x: float
+    y: float
+    tx: float
+    ty: float
+    speed: float
+    curvature: float
 
 
 @kernel
-def sample(source: Source, t: float) -> tuple[float, float, float, float, float, float]:
-    """Position, unit tangent, speed |α′| and curvature at t, in the kernel's coordinates."""
-    address, place, jet = source
-    call_jet(address, t, jet)
-    scale = place[2]
-    rise = scale * place[3]
-    x, y = (jet[0] - place[0]) * scale, (jet[3] - place[1]) * rise
+def sample(source: Source, t: float) -> Sample:
+    """The curve at t, in the kernel's coordinates."""
+    place, jet = source.place, source.jet
+    call_jet(source.address, t, jet)
+    scale = place.scale
+    rise = scale * place.side
+    x, y = (jet[0] - place.x) * scale, (jet[3] - place.y) * rise
     dx, dy = jet[1] * scale, jet[4] * rise
     speed = math.sqrt(dx * dx + dy * dy)
     curvature = (dx * jet[5] * rise - dy * jet[2] * scale) / (speed * speed * speed)
-    return x, y, dx / speed, dy / speed, speed, curvature
+    return Sample(x, y, dx / speed, dy / speed, speed, curvature)
 
 
 @kernel
-def sample_many(address: int, times: np.ndarray[Any, Any], out: np.ndarray[Any, Any]) -> None:
-    """Jets at all ``times`` (m,) into the rows of ``out`` (m, `JET_SIZE`), in the user's coordinates."""
-    for i in range(times.shape[0]):
-        call_jet(address, times[i], out[i])
+def frame(source: Source, t: float) -> Frame:
+    """The frame of the curve at t."""
+    at = sample(source, t)
+    return Frame(at.x, at.y, at.tx, at.ty)
+
+
+@kernel
+def source_of(fit: Any, address: int, place: Place) -> Source:
+    """What samples a curve in the plane, for any fit."""
+    return Source(address, place, np.empty(JET_SIZE))
+
+
+@kernel
+def frame_of(fit: Any, source: Source, t: float) -> Frame:
+    """`frame` for any fit."""
+    return frame(source, t)
+
+
+@kernel
+def pace(fit: Any, source: Source, t: float) -> tuple[float, float]:
+    """(speed, turning of the tangent per unit of the parameter) at t."""
+    at = sample(source, t)
+    return at.speed, abs(at.curvature) * at.speed
+
+
+#: what all fits in the plane do alike (`osculant.kernels.operations`)
+IN_THE_PLANE = {"source": source_of, "frame": frame_of, "pace": pace}

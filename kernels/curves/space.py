@@ -2,51 +2,93 @@
 
 The compiled jet of order 3 arrives as the address of ``void(double t, double *out)`` writing
 x, x′, x″, x‴, y, …, z‴.  Coordinates are taken relative to an origin and scaled by a power of two, so that
-every kernel sees a curve of size about 1; ``place`` = (origin x, y, z, scale, noise) says so, noise being
-what rounding does to the scaled coordinates.
+every kernel sees a curve of size about 1; a `Place` says so.
 """
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from osculant.kernels.curves.plane import call_jet
-from osculant.kernels.curves.vectors import Vector, unit
+from osculant.kernels.curves.jets import call_jet
+from osculant.kernels.curves.vectors import Vector, cross, dot, norm, unit
 from osculant.kernels.generated.space import frenet
 from osculant.kernels.jit import kernel
 
 #: doubles a jet of order 3 of a space curve fills
 JET_SIZE = 12
 
-#: (origin x, origin y, origin z, scale, absolute error of the scaled coordinates)
-Place = tuple[float, float, float, float, float]
-#: (address of the compiled jet, place, scratch space for one jet: `JET_SIZE` doubles)
-Source = tuple[int, Place, np.ndarray[Any, Any]]
-#: (x, y, z, unit tangent x, y, z)
-Frame = tuple[float, float, float, float, float, float]
+
+class Place(NamedTuple):
+    """The kernel's coordinates.
+
+    Attributes:
+        x, y, z: their origin, in the user's coordinates.
+        scale: of all three, a power of two.
+        noise: the absolute error of the scaled coordinates.
+    """
+
+    x: float
+    y: float
+    z: float
+    scale: float
+    noise: float
+
+
+class Source(NamedTuple):
+    """What samples the curve: the compiled jet's address, the place, and room for one jet."""
+
+    address: int
+    place: Place
+    jet: np.ndarray[Any, Any]
+
+
+class Frame(NamedTuple):
+    """A point of the curve and its unit tangent."""
+
+    point: Vector
+    tangent: Vector
+
+
+class Sample(NamedTuple):
+    """α, dα/dt and d²α/dt²."""
+
+    point: Vector
+    velocity: Vector
+    acceleration: Vector
+
+
+class Bend(NamedTuple):
+    """α, T, κ′N, the speed, κ and κ′ (by arc length); where κ = 0, κ′N is 0."""
+
+    point: Vector
+    tangent: Vector
+    lean: Vector
+    speed: float
+    curvature: float
+    slope: float
 
 
 @kernel
-def sample(source: Source, t: float) -> tuple[Vector, Vector, Vector]:
-    """α, dα/dt and d²α/dt² at t, in the kernel's coordinates."""
-    address, place, jet = source
-    call_jet(address, t, jet)
-    scale = place[3]
-    return (
-        ((jet[0] - place[0]) * scale, (jet[4] - place[1]) * scale, (jet[8] - place[2]) * scale),
+def sample(source: Source, t: float) -> Sample:
+    """The curve at t, in the kernel's coordinates."""
+    place, jet = source.place, source.jet
+    call_jet(source.address, t, jet)
+    scale = place.scale
+    return Sample(
+        ((jet[0] - place.x) * scale, (jet[4] - place.y) * scale, (jet[8] - place.z) * scale),
         (jet[1] * scale, jet[5] * scale, jet[9] * scale),
         (jet[2] * scale, jet[6] * scale, jet[10] * scale),
     )
 
 
 @kernel
-def frenet_at(source: Source, t: float) -> tuple[float, ...]:
-    """Speed, κ, κ′ (by arc length), τ, T and N at t, in the kernel's units; leaves the jet in place."""
-    address, place, jet = source
+def frenet_at(address: int, scale: float, jet: np.ndarray[Any, Any], t: float) -> tuple[float, ...]:
+    """Speed, κ, κ′ (by arc length), τ, T and N of the curve times ``scale``; leaves its jet in ``jet``."""
     call_jet(address, t, jet)
-    k = place[3]
+    k = scale
     return frenet(
         jet[1] * k, jet[2] * k, jet[3] * k, jet[5] * k, jet[6] * k, jet[7] * k,
         jet[9] * k, jet[10] * k, jet[11] * k,
@@ -54,40 +96,46 @@ def frenet_at(source: Source, t: float) -> tuple[float, ...]:
 
 
 @kernel
-def bends(source: Source, t: float) -> tuple[Vector, Vector, Vector, float, float, float]:
-    """α, T, κ′N, the speed, κ and κ′ (by arc length) at t, in the kernel's coordinates.
-
-    Where κ = 0, κ′N is 0.
-    """
-    found = frenet_at(source, t)
-    place, jet, k = source[1], source[2], source[1][3]
-    speed, curvature, slope = found[0], found[1], found[2]
-    point = ((jet[0] - place[0]) * k, (jet[4] - place[1]) * k, (jet[8] - place[2]) * k)
+def bends(source: Source, t: float) -> Bend:
+    """How the curve bends at t, in the kernel's coordinates."""
+    place, jet = source.place, source.jet
+    k = place.scale
+    speed, curvature, slope, _, tx, ty, tz, nx, ny, nz = frenet_at(source.address, k, jet, t)
+    point = ((jet[0] - place.x) * k, (jet[4] - place.y) * k, (jet[8] - place.z) * k)
     lean = (0.0, 0.0, 0.0)
     if curvature > 0.0:
-        lean = (slope * found[7], slope * found[8], slope * found[9])
+        lean = (slope * nx, slope * ny, slope * nz)
     else:
         slope = 0.0
-    return point, (found[4], found[5], found[6]), lean, speed, curvature, slope
+    return Bend(point, (tx, ty, tz), lean, speed, curvature, slope)
 
 
 @kernel
-def frame(source: Source, t: float) -> tuple[Vector, Vector]:
+def frame(source: Source, t: float) -> Frame:
     """Point and unit tangent at t, in the kernel's coordinates."""
-    point, velocity, _ = sample(source, t)
-    return point, unit(velocity)
+    at = sample(source, t)
+    return Frame(at.point, unit(at.velocity))
 
 
 @kernel
-def placed(place: Place, given: Frame) -> tuple[Vector, Vector]:
-    """A frame in the user's coordinates as point and tangent in the kernel's."""
-    k = place[3]
-    point = ((given[0] - place[0]) * k, (given[1] - place[1]) * k, (given[2] - place[2]) * k)
-    return point, (given[3], given[4], given[5])
+def source_of(fit: Any, address: int, place: Place) -> Source:
+    """What samples a curve in space, for any fit."""
+    return Source(address, place, np.empty(JET_SIZE))
 
 
 @kernel
-def sample_many(address: int, times: np.ndarray[Any, Any], out: np.ndarray[Any, Any]) -> None:
-    """Jets at all ``times`` (m,) into the rows of ``out`` (m, `JET_SIZE`), in the user's coordinates."""
-    for i in range(times.shape[0]):
-        call_jet(address, times[i], out[i])
+def frame_of(fit: Any, source: Source, t: float) -> Frame:
+    """`frame` for any fit."""
+    return frame(source, t)
+
+
+@kernel
+def pace(fit: Any, source: Source, t: float) -> tuple[float, float]:
+    """(speed, turning of the tangent per unit of the parameter) at t."""
+    at = sample(source, t)
+    square = dot(at.velocity, at.velocity)
+    return math.sqrt(square), norm(cross(at.velocity, at.acceleration)) / square
+
+
+#: what all fits in space do alike (`osculant.kernels.operations`)
+IN_SPACE = {"source": source_of, "frame": frame_of, "pace": pace}

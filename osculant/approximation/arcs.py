@@ -1,4 +1,4 @@
-"""The arcs of one stretch of a plane curve, fitted by the kernels."""
+"""The arcs of one stretch, in the plane or in space, fitted by the kernels."""
 
 from __future__ import annotations
 
@@ -9,17 +9,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from osculant.approximation.division import Frame
 from osculant.approximation.runs import Floats, Progress, Run, equal_parts, equal_shares, not_found, too_many
-from osculant.codegen.jets import compile_jet
-from osculant.kernels import search as greedy
+from osculant.kernels import operations, search
 from osculant.kernels.counting import count_larger
-from osculant.kernels.curves.plane import JET_SIZE, Place, Source
+from osculant.kernels.course import MOST, lay_out
 from osculant.kernels.given_knots import fit_arcs
 from osculant.kernels.quadrature import contents
 
 if TYPE_CHECKING:
-    from osculant.approximation.coordinates import Coordinates, Local
+    from osculant.approximation.coordinates import Coordinates, Local, Place
     from osculant.approximation.division import Stretch
     from osculant.primitives.primitive import Fit
 
@@ -27,8 +25,10 @@ if TYPE_CHECKING:
 CHUNK = 4096
 #: more pieces than this are not made
 MOST_PIECES = 5_000_000
-#: points per piece, and of all, that tell the content of a stretch
-CONTENT_POINTS, LEAST_POINTS = 4, 256
+#: rows of a stretch's course at first
+COURSE = 1024
+#: panels per piece, and of all, that tell the content of a stretch
+CONTENT_POINTS, LEAST_POINTS = 8, 1024
 #: an error, in the kernels' units, that no piece has
 BOUNDLESS = 1e100
 
@@ -36,7 +36,7 @@ BOUNDLESS = 1e100
 class Job(NamedTuple):
     """The arguments of `kernels.search.spline` but for its table."""
 
-    code: int
+    record: Any
     address: int
     place: Place
     a: float
@@ -46,37 +46,52 @@ class Job(NamedTuple):
     low: float
     high: float
     length: float
+    course: Floats
 
 
 class Arcs:
-    """A stretch where curve and primitive differ, for a fit: a `osculant.approximation.runs.Part`."""
+    """A stretch where curve and primitive differ, for a fit: a `osculant.approximation.runs.Part`.
+
+    Where the primitive's errors are not monotone (`Primitive.monotone`), the pieces found are good ones, and
+    no proof says that they are the best.
+    """
 
     exact = False
 
     def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch) -> None:
-        self.coordinates, self.fit, self.stretch = coordinates, fit, stretch
-        self.order, self.ends = fit.order, (stretch.a, stretch.b)
+        self.coordinates, self.curve, self.fit, self.stretch = coordinates, coordinates.curve, fit, stretch
+        self.order, self.ends = fit.law(stretch.kind).order, (stretch.a, stretch.b)
         self.unit = coordinates.scale**fit.degree
         self.noise = coordinates.error_noise(fit.degree)
+        self.record = fit.record(self.order)
+        self.columns = operations.columns(type(self.record))
 
     @cached_property
     def least(self) -> int:
-        """How many pieces it takes however large their errors may be."""
+        """How many pieces it takes however large their errors may be, the longest that are proper."""
         return len(self.greedy(math.inf, math.inf))
 
     @cached_property
     def _scratch(self) -> Floats:
-        return np.empty((CHUNK, greedy.COLUMNS))
+        return np.empty((CHUNK, self.columns))
 
     @cached_property
-    def source(self) -> Source:
-        """What kernels sample the curve by, with room for one jet."""
-        at = self.coordinates
-        return at.curve.compiled.address, at.place(self.stretch.bend), np.empty(JET_SIZE)
+    def place(self) -> Place:
+        """The kernels' place of the curve, which bends to the left there."""
+        return self.coordinates.place(self.stretch.bend)
 
     def frame_at(self, t: float) -> Local:
         """The frame of the curve at t in the kernels' coordinates."""
-        return greedy.frame(self.source, t)
+        return self.coordinates.frame_at(t, self.place)
+
+    def course(self, a: float, b: float) -> Floats:
+        """How the curve turns and how long it is from a to b (`osculant.kernels.course`)."""
+        for rows in (COURSE, MOST):
+            course = np.empty((rows, 3))
+            found = lay_out(self.record, self.curve.compiled.address, self.place, a, b, course)
+            if found > 0:
+                return course[:found].copy()
+        raise too_many(MOST)
 
     def job(self, low: float, high: float) -> Job:
         """The kernel's arguments for the stretch from its beginning, for errors in the user's units."""
@@ -84,18 +99,19 @@ class Arcs:
 
     @cached_property
     def _job(self) -> Job:
-        stretch, at = self.stretch, self.coordinates
+        (a, b), at = self.ends, self.coordinates
         return Job(
-            self.fit.code,
-            at.curve.compiled.address,
-            at.place(stretch.bend),
-            stretch.a,
-            at.local(stretch.start, stretch.bend),
-            stretch.b,
-            at.local(stretch.end, stretch.bend),
+            self.record,
+            self.curve.compiled.address,
+            self.place,
+            a,
+            at.local(self.stretch.start, self.place),
+            b,
+            at.local(self.stretch.end, self.place),
             0.0,
             0.0,
-            (stretch.b - stretch.a) / 8,
+            (b - a) / 8,
+            self.course(a, b),
         )
 
     def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
@@ -104,37 +120,39 @@ class Arcs:
         job = self.job(min(low, 0.5 * most), min(high, most))
         tables, count, table = [], 0, self._scratch
         while job.a < job.stop:
-            found, reached, _ = greedy.spline(*job, table)
+            found, reached, _ = search.spline(*job, table)
             tables.append(table[:found].copy())
             count += found
             if progress is not None:
                 progress((reached - self.ends[0]) / (job.stop - self.ends[0]))
             if found < CHUNK and reached < job.stop:
-                raise not_found("piece", high, reached)
+                raise not_found(high, reached)
             if count > MOST_PIECES:
                 raise too_many(MOST_PIECES)
-            length = table[found - 1, 1] - table[found - 1, 0]
+            length = table[found - 1, operations.B] - table[found - 1, operations.A]
             job = job._replace(a=reached, start=self.frame_at(reached), length=length)
         return self._run(np.concatenate(tables))
 
     def at_least(self, high: float) -> int:
         """A quick lower bound of the number of greedy pieces with errors at most ``high``."""
+        if not self.fit.primitive.monotone:
+            return self.least
         job = self.job(high, high)
-        return int(count_larger(*job[:7], job.high, job.length))
+        return int(count_larger(*job[:7], job.high, job.length, job.course))
 
     def fitted(self, knots: Floats) -> Run:
         """The best piece for each arc between neighbouring knots; error infinite where there is none."""
-        table = np.empty((len(knots) - 1, greedy.COLUMNS))
+        table = np.empty((len(knots) - 1, self.columns))
         job = self.job(0.0, 0.0)
-        fit_arcs(job.code, job.address, job.place, knots, job.start, job.last, table)
+        fit_arcs(job.record, job.address, job.place, knots, job.start, job.last, job.course, table)
         return self._run(table)
 
     def spread(self, count: int) -> Floats:
         """Knots of equal content, from the density that theory integrates to the number of pieces."""
         times = equal_parts(self.ends, max(LEAST_POINTS, CONTENT_POINTS * count))
         total = np.empty_like(times)
-        jet = compile_jet(self.coordinates.curve.coordinates, 5)  # owns the code at its address
-        contents(self.fit.code, jet.address, self.coordinates.scale, times, total)
+        jet = self.curve.jet_for_laws  # owns the code at its address
+        contents(self.record, jet.address, self.coordinates.scale, times, total)
         if not (math.isfinite(total[-1]) and total[-1] > 0):
             return equal_parts(self.ends, count)
         knots = equal_shares(times, total, count)
@@ -144,31 +162,25 @@ class Arcs:
         """The stretch from t on."""
         from flint import arb
 
-        return replace(self.stretch, low=arb(t), a=t, start=self._frame(t))
+        return replace(self.stretch, low=arb(t), a=t, start=self.coordinates.user_frame(t, self.place))
 
     def ending_at(self, t: float) -> Stretch:
         """The stretch up to t."""
         from flint import arb
 
-        return replace(self.stretch, high=arb(t), b=t, end=self._frame(t))
-
-    def _frame(self, t: float) -> Frame:
-        bend = self.stretch.bend
-        x, y, tx, ty = self.frame_at(t)
-        return Frame(self.coordinates.user(x, y, bend), (tx, ty * bend))
+        return replace(self.stretch, high=arb(t), b=t, end=self.coordinates.user_frame(t, self.place))
 
     def _run(self, table: Floats) -> Run:
-        reasons = table[:, greedy.REASON]
+        reasons = table[:, operations.REASON]
         return Run(
-            np.append(table[:, 0], table[-1, 1]),
-            table[:, greedy.ERROR] / self.unit,
+            np.append(table[:, operations.A], table[-1, operations.B]),
+            table[:, operations.ERROR] / self.unit,
             table,
-            bool((reasons == greedy.ENDS_AT_LIMIT).any()),
-            bool((reasons == greedy.ENDS_EARLY).any()),
+            bool((reasons == search.ENDS_AT_LIMIT).any()),
+            bool((reasons == search.ENDS_EARLY).any()),
         )
 
     def pieces(self, run: Run) -> list[Any]:
         """The pieces themselves, in the user's coordinates."""
-        place = self.coordinates.place(self.stretch.bend)
         make = self.fit.primitive.piece
-        return [make(row, place, float(error)) for row, error in zip(run.rows, run.errors, strict=True)]
+        return [make(row, self.place, float(error)) for row, error in zip(run.rows, run.errors, strict=True)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,12 +13,13 @@ from osculant.approximation.division import begun_at
 from osculant.approximation.equal_errors import equalise
 from osculant.approximation.start_points import Start, best_start, start_within
 from osculant.approximation.unsplit import UnsplitArcs
-from osculant.kernels import search as greedy
+from osculant.kernels import search
 from osculant.tolerances import window, writing_share
 
 if TYPE_CHECKING:
     from osculant.approximation.coordinates import Coordinates
     from osculant.approximation.division import Division
+    from osculant.approximation.runs import Floats
     from osculant.primitives.primitive import Fit
 
 #: periods after which a kernel stops in any case
@@ -59,6 +60,11 @@ class Circuit:
         self.low, self.period = stretch.a, stretch.b - stretch.a
         self._arcs = Arcs(coordinates, fit, stretch)
         self._rounding = coordinates.size.rounding(fit.degree)
+
+    @cached_property
+    def _course(self) -> Floats:
+        """The course of all that may be passed, from any start."""
+        return self._arcs.course(self.low, self.low + (1 + ROUNDS) * self.period)
 
     @property
     def resolution(self) -> float:
@@ -144,6 +150,7 @@ class Circuit:
             stop=start + ROUNDS * self.period,  # so far on that no piece is fitted to end there
             last=frame,
             length=self.period / count,
+            course=self._course,
         )
-        found, end, _ = greedy.spline(*job, np.empty((count, greedy.COLUMNS)))
+        found, end, _ = search.spline(*job, np.empty((count, self._arcs.columns)))
         return end if found == count or end == job.stop else None

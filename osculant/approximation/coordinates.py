@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from osculant.primitives.primitive import user_point
+import numpy as np
+
+from osculant.approximation.division import Frame
+from osculant.kernels.curves import plane, space
 
 if TYPE_CHECKING:
-    from osculant.approximation.division import Frame
     from osculant.curves.curve import FormulaCurve
     from osculant.curves.extent import Extent
-    from osculant.kernels.curves.plane import Place
 
 #: rounding units of the largest coordinate that positions may be wrong by
 NOISE_ULPS = 4
 
-#: position and unit tangent of a plane curve in the kernels' coordinates
-Local = tuple[float, float, float, float]
+#: the kernels' `Place` of a curve, and a `Frame` in it, of the plane or of space
+Place: TypeAlias = Any
+Local: TypeAlias = Any
 
 
 class Coordinates:
@@ -43,20 +45,32 @@ class Coordinates:
         """What kernels take as the place of a curve; one in the plane bends to the left (1) or right (−1)."""
         if self.curve.dimension == 2:
             x, y = self.size.origin
-            return x, y, self.scale, bend, self.noise
+            return plane.Place(x, y, self.scale, bend, self.noise)
         x, y, z = self.size.origin
-        return x, y, z, self.scale, self.noise
+        return space.Place(x, y, z, self.scale, self.noise)
 
     def error_noise(self, degree: int) -> float:
         """What rounding does to an error in the user's units: a length (degree 1), or an area (2)."""
         return NOISE_ULPS * self.size.rounding(degree)
 
-    def local(self, frame: Frame, bend: float) -> Local:
-        """A frame of a plane curve in the kernels' coordinates."""
-        (x, y), (tx, ty) = frame.point, frame.tangent
-        x0, y0 = self.size.origin
-        return (x - x0) * self.scale, (y - y0) * self.scale * bend, tx, ty * bend
+    def local(self, frame: Frame, place: Place) -> Local:
+        """A frame in the kernels' coordinates."""
+        moved = [(x - origin) * self.scale for x, origin in zip(frame.point, self.size.origin)]
+        if isinstance(place, plane.Place):
+            (x, y), (tx, ty) = moved, frame.tangent
+            return plane.Frame(x, y * place.side, tx, ty * place.side)
+        x, y, z = moved
+        tx, ty, tz = frame.tangent
+        return space.Frame((x, y, z), (tx, ty, tz))
 
-    def user(self, x: float, y: float, bend: float) -> tuple[float, float]:
-        """A point of the kernels' plane in the user's coordinates."""
-        return user_point(self.place(bend), x, y)
+    def frame_at(self, t: float, place: Place) -> Local:
+        """The frame of the curve at t in the kernels' coordinates."""
+        if isinstance(place, plane.Place):
+            return plane.frame(plane.source_of(None, self.curve.compiled.address, place), t)
+        return space.frame(space.source_of(None, self.curve.compiled.address, place), t)
+
+    def user_frame(self, t: float, place: Place) -> Frame:
+        """The frame of the curve at t in the user's."""
+        jet = self.curve.jets(np.array([t]))[0]
+        length = float(np.linalg.norm(jet[:, 1]))
+        return Frame(tuple(jet[:, 0].tolist()), tuple((jet[:, 1] / length).tolist()))

@@ -12,12 +12,12 @@ import numpy as np
 from osculant.approximation.arcs import Arcs
 from osculant.approximation.division import INSIDE
 from osculant.approximation.runs import Floats, Progress, Run, equal_shares, integrated, speed
-from osculant.kernels import search as greedy
-from osculant.kernels.conics import pencil as bitangent
-from osculant.kernels.conics import scan
+from osculant.kernels.biarcs.exact import circles_along
+from osculant.kernels.conics.exact import conics_through
+from osculant.kernels.operations import ERROR
 
 if TYPE_CHECKING:
-    from osculant.approximation.coordinates import Coordinates, Local
+    from osculant.approximation.coordinates import Coordinates
     from osculant.approximation.division import Stretch
     from osculant.primitives.primitive import Fit
 
@@ -41,7 +41,7 @@ class ExactArcs(Arcs):
 
     def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch, proved: bool) -> None:
         super().__init__(coordinates, fit, stretch)
-        self.curve, self.proved = coordinates.curve, proved
+        self.proved = proved
         assert fit.primitive.itself is not None
         self.turning = fit.primitive.itself.turning
 
@@ -102,26 +102,16 @@ class ExactArcs(Arcs):
         """Rows of the arcs between the knots, and how far the curve is from them, in the kernels' units."""
         raise NotImplementedError
 
-    def _frames(self, knots: Floats) -> list[Local]:
-        stretch, at = self.stretch, self.coordinates
-        inner = map(self.frame_at, knots[1:-1])
-        return [at.local(stretch.start, stretch.bend), *inner, at.local(stretch.end, stretch.bend)]
-
 
 class ConicArcs(ExactArcs):
     """A stretch of a conic."""
 
     def _measured(self, knots: Floats) -> tuple[Floats, Floats]:
         """Rows of the conics through an inner point each, and how far the curve is from them."""
-        noise = self.coordinates.noise
-        space, frames = scan.workspace(), self._frames(knots)
-        rows = np.empty((len(knots) - 1, greedy.COLUMNS))
-        for row, a, b, start, end in zip(rows, knots, knots[1:], frames, frames[1:]):
-            pencil = bitangent.pencil(start, end, noise)
-            q = bitangent.through(bitangent.view(pencil, self.source, a + INSIDE * (b - a)))
-            off = scan.measure(pencil, q, self.source, a, b, scan.GRID, space)
-            greedy.record(self.fit.code, row, a, b, q, off, 0, start, end, noise)
-        return rows, rows[:, greedy.ERROR]
+        rows = np.empty((len(knots) - 1, self.columns))
+        job = self.job(0.0, 0.0)
+        conics_through(job.record, job.address, job.place, knots, job.start, job.last, INSIDE, rows)
+        return rows, rows[:, ERROR]
 
 
 class CircleArcs(ExactArcs):
@@ -133,22 +123,10 @@ class CircleArcs(ExactArcs):
         edges, lengths = self._lengths
         at_knots = np.interp(knots, edges, lengths)
         middles = np.interp((at_knots[:-1] + at_knots[1:]) / 2, lengths, edges)
-        frames, junctions = np.array(self._frames(knots)), np.array([self.frame_at(t) for t in middles])
-        rows = np.zeros((len(knots) - 1, greedy.COLUMNS))
-        rows[:, 0], rows[:, 1], rows[:, 2] = knots[:-1], knots[1:], 0.5
-        rows[:, 5:9], rows[:, 9:11] = frames[:-1], frames[1:, :2]
-        rows[:, 11:13], rows[:, 13:15] = junctions[:, :2], bend
-        parts = np.linspace(0.0, 1.0, scan.GRID)
-        times = knots[:-1, None] + np.diff(knots)[:, None] * parts
-        points = np.array([self.frame_at(t)[:2] for t in times.ravel()]).reshape(*times.shape, 2)
-        (x, y), (tx, ty) = (
-            np.moveaxis(points - frames[:-1, None, :2], -1, 0),
-            frames[:-1, 2:, None].swapaxes(0, 1),
-        )
-        twice = 2 * (tx * y - ty * x) - bend * (x * x + y * y)
-        distance = np.abs(twice / (1 + np.sqrt(np.maximum(0.0, 1 - bend * twice))))
-        rows[:, greedy.ERROR] = distance.max(axis=1)
-        return rows, rows[:, greedy.ERROR]
+        rows = np.empty((len(knots) - 1, self.columns))
+        job = self.job(0.0, 0.0)
+        circles_along(job.address, job.place, knots, middles, job.start, job.last, bend, rows)
+        return rows, rows[:, ERROR]
 
 
 def _parts(turns: float) -> int:

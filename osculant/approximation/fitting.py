@@ -21,10 +21,8 @@ from osculant.approximation.exact_arcs import CircleArcs, ConicArcs
 from osculant.approximation.exact_helices import Helices
 from osculant.approximation.runs import share_of, whole_error
 from osculant.approximation.segments import Segments
-from osculant.approximation.space_arcs import SpaceArcs
 from osculant.approximation.unsplit import UnsplitArcs
 from osculant.cas.errors import UndecidedError
-from osculant.kernels.jit import announce
 from osculant.tolerances import window
 
 if TYPE_CHECKING:
@@ -83,7 +81,6 @@ class Fitting:
     """
 
     def __init__(self, curve: FormulaCurve, fit: Fit, division: Division, size: Extent) -> None:
-        announce()
         self.fit, self.division, self.size = fit, division, size
         self.coordinates = Coordinates(curve, size)
         self.rounding = size.rounding(fit.degree)
@@ -200,6 +197,4 @@ def part_of(coordinates: Coordinates, fit: Fit, division: Division, stretch: Str
             return EXACT[itself.shape](coordinates, fit, stretch, division.proved)
         if division.proved:  # no error of a helix is measured
             return Helices(coordinates, fit, stretch)
-    if coordinates.curve.dimension == 3:
-        return SpaceArcs(coordinates, fit, stretch)
     return (UnsplitArcs if division.unsplit else Arcs)(coordinates, fit, stretch)

@@ -243,17 +243,16 @@ def quick_complexity(
     """The same in doubles, to predict a spline's pieces; ``scale`` makes the curve's size about 1."""
     if curve.dimension == 3:  # there are no kernels for these densities
         return complexity_of(curve, fit, division, least)
-    from osculant.codegen.jets import compile_jet
     from osculant.kernels.quadrature import predicted
 
     order = fit.law().spline_order
-    jet = compile_jet(curve.coordinates, 5)  # owns the code at its address
+    jet = curve.jet_for_laws  # owns the code at its address
     constants = []
     for stretch in division.stretches:
         constant = 0.0
         if stretch.kind == "generic":
             power = fit.order / order  # of the content that C is
-            constant = predicted(fit.code, jet.address, scale, stretch.a, stretch.b) ** power
+            constant = predicted(fit.record(fit.order), jet.address, scale, stretch.a, stretch.b) ** power
         # N = C ε^{−1/order} has no unit: the constant of the scaled curve belongs to the scaled tolerance
         constant *= scale ** (-fit.degree / order)
         if math.isnan(constant):  # rounding beside a singular end: balls know better

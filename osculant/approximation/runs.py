@@ -161,10 +161,10 @@ def share_of(progress: Progress | None, i: int, count: int) -> Progress | None:
     return None if progress is None else lambda done: progress((i + done) / count)
 
 
-def not_found(what: str, high: float, at: float) -> UndecidedError:
+def not_found(high: float, at: float) -> UndecidedError:
     """The error of greedy pieces that end where doubles cannot follow the curve."""
     return UndecidedError(
-        f"No {what} with an error of {high:g} or less was found for the curve after t = {at:.15g}, "
+        f"No piece with an error of {high:g} or less was found for the curve after t = {at:.15g}, "
         "where double numbers cannot follow it: choose a split point there, or another interval."
     )
 

@@ -20,7 +20,7 @@ from osculant.cli.options import (
     check_files,
     writing_options,
 )
-from osculant.cli.output import Waiting, print_json
+from osculant.cli.output import Waiting, announce_compiling, print_json
 from osculant.cli.splines import print_spline
 from osculant.files.registry import WRITERS, writers
 from osculant.files.writing import listed
@@ -146,6 +146,7 @@ def approximate(
     if certify and (metric != "hausdorff" or len(curve.coordinates) == 3):
         raise UsageError("The option --certify is for distances in the plane only: leave it out.")
     began = perf_counter()
+    announce_compiling()
     with Waiting("approximating") as progress:
         spline = api.approximate(
             curve,

@@ -70,8 +70,10 @@ def tell(sentence: str) -> None:
 
 
 def announce_compiling() -> None:
-    """Say that kernels are being compiled, which happens once on a machine."""
-    tell("compiling its kernels for this machine, once; this takes half a minute.")
+    """Say that kernels are being compiled, if they have to be, which happens once on a machine."""
+    from osculant.kernels.jit import when_compiling
+
+    when_compiling(lambda: tell("compiling kernels for this machine, once; this takes some seconds."))
 
 
 def print_json(data: Any) -> None:

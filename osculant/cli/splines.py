@@ -69,6 +69,8 @@ def _minimal(spline: Spline) -> str:
 
 def _size(spline: Spline) -> list[tuple[str, str]]:
     """The number of pieces and the tolerance, of which one was given, and what theory says of the other."""
+    from osculant.primitives.table import PRIMITIVES
+
     unknown = "unknown: the integral of the theory did not settle"
     if spline.given == "pieces":
         error = spline.predicted_error
@@ -77,8 +79,9 @@ def _size(spline: Spline) -> list[tuple[str, str]]:
     theory = unknown
     if spline.predicted is not None:
         theory = f"{spline.predicted:.6g}, in whole pieces {spline.predicted_pieces}"
+    among = PRIMITIVES[spline.chain.dimension][spline.primitive].fewest
     return [
-        ("pieces", str(len(spline))),
+        ("pieces", f"{len(spline)}, {among}" if among else str(len(spline))),
         ("predicted", theory),
         ("tolerance", f"{spline.tolerance:g}"),
     ]

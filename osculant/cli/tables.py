@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from osculant.cli.options import AsJson
-from osculant.cli.output import Waiting, console, print_json, print_rows
+from osculant.cli.output import Waiting, announce_compiling, console, print_json, print_rows
 
 if TYPE_CHECKING:
     from osculant.thesis.count_tables import CountTable
@@ -33,6 +33,7 @@ def tables(
     from osculant.thesis.count_tables import CountTable
     from osculant.thesis.tables import compute
 
+    announce_compiling()
     with Waiting(f"computing table {number}") as progress:
         table = compute(number, progress)
     if as_json:

@@ -77,6 +77,7 @@ class FormulaCurve(ABC):
     #: order of the jets that kernels sample, and of those that `tabulate` takes
     sampled_order: ClassVar[int]
     tabulated_order: ClassVar[int]
+    law_order: ClassVar[int]
     #: of the forms whose zeros split splines, the one that takes the most derivatives
     highest_form: ClassVar[str]
 
@@ -170,6 +171,13 @@ class FormulaCurve(ABC):
 
         return compile_jet(self.coordinates, self.sampled_order)
 
+    @cached_property
+    def jet_for_laws(self) -> CompiledJet:
+        """Machine code for the derivatives that densities of laws take, `law_order` of them."""
+        from osculant.codegen.jets import compile_jet
+
+        return compile_jet(self.coordinates, self.law_order)
+
     def jets(self, times: ArrayLike) -> NDArray[float64]:
         """Coordinates and their first `sampled_order` derivatives at ``times`` (m,), as doubles.
 
@@ -181,7 +189,7 @@ class FormulaCurve(ABC):
         """
         import numpy as np
 
-        from osculant.kernels.curves.plane import sample_many
+        from osculant.kernels.curves.jets import sample_many
 
         flat = np.ascontiguousarray(times, dtype=np.float64).ravel()
         out = np.empty((flat.size, self.compiled.size))

@@ -39,7 +39,7 @@ class PlaneCurve(FormulaCurve):
     """
 
     dimension, called, example = 2, "plane", "t, t^2"
-    sampled_order, tabulated_order = 2, 5
+    sampled_order, tabulated_order, law_order = 2, 5, 5
     highest_form = "sextactic"
 
     @cached_property

@@ -45,7 +45,7 @@ class SpaceCurve(FormulaCurve):
     """
 
     dimension, called, example = 3, "space", "t, t^2, t^3"
-    sampled_order, tabulated_order = 3, 4
+    sampled_order, tabulated_order, law_order = 3, 4, 3
     highest_form = "vertex"
 
     @cached_property

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from osculant.kernels import primitives as codes
 from osculant.primitives.conic import segment
 from osculant.primitives.primitive import Itself, Primitive, user_point
 
@@ -15,25 +14,40 @@ if TYPE_CHECKING:
     from osculant.pieces.piece import Floats
 
 
-def biarc_piece(row: Floats, place: Place, error: float) -> Biarc:
-    """A row of the kernel's table (`kernels.search.record`) as a biarc, or as the one arc that it is."""
+def biarc_piece(values: Floats, place: Place, error: float) -> Biarc:
+    """A row of the kernels' table (`kernels.biarcs.records.Row`) as a biarc, or as the one arc that it is."""
+    from osculant.kernels.biarcs.records import Row
     from osculant.pieces.biarcs import Biarc
 
-    a, b, _, _, _, x0, y0, tx, ty, x2, y2, x1, y1, first, second = row.tolist()
-    scale, bend = place[2], place[3]
-    chord = math.hypot(x1 - x0, y1 - y0)
-    dx, dy = (x1 - x0) / chord, (y1 - y0) / chord
-    dot, cross = tx * dx + ty * dy, tx * dy - ty * dx
+    row = Row(*values.tolist())
+    scale, side = place.scale, place.side
+    chord = math.hypot(row.x1 - row.x0, row.y1 - row.y0)
+    dx, dy = (row.x1 - row.x0) / chord, (row.y1 - row.y0) / chord
+    dot, cross = row.tx0 * dx + row.ty0 * dy, row.tx0 * dy - row.ty0 * dx
     return Biarc(
-        "arc" if first == second and error == 0 else "biarc",
-        (a, b),
-        user_point(place, x0, y0),
-        user_point(place, x1, y1),
-        user_point(place, x2, y2),
-        ((tx, ty * bend), (dx * dot - dy * cross, (dy * dot + dx * cross) * bend)),
-        (first * bend * scale, second * bend * scale),
+        "arc" if row.bend0 == row.bend1 and error == 0 else "biarc",
+        (row.a, row.b),
+        user_point(place, row.x0, row.y0),
+        user_point(place, row.x1, row.y1),
+        user_point(place, row.x2, row.y2),
+        ((row.tx0, row.ty0 * side), (dx * dot - dy * cross, (dy * dot + dx * cross) * side)),
+        (row.bend0 * side * scale, row.bend1 * side * scale),
         error,
     )
+
+
+def equioscillating(order: int) -> Any:
+    """The kernels' record of the biarc with the least Hausdorff distance."""
+    from osculant.kernels.biarcs.records import Biarc
+
+    return Biarc()
+
+
+def equisymmetric(order: int) -> Any:
+    """The kernels' record of the biarc whose two moons have the same area."""
+    from osculant.kernels.biarcs.records import EquisymmetricBiarc
+
+    return EquisymmetricBiarc()
 
 
 BIARC = Primitive(
@@ -42,8 +56,8 @@ BIARC = Primitive(
     dimension=2,
     arcs=("arc", "segment"),
     methods={
-        "hausdorff": {"equioscillating": lambda: codes.BIARC},
-        "area": {"equisymmetric": lambda: codes.EQUISYMMETRIC_BIARC},
+        "hausdorff": {"equioscillating": equioscillating},
+        "area": {"equisymmetric": equisymmetric},
     },
     theory=("vertex",),
     itself=Itself("circle", ("vertex",), lambda exact: exact.circle, turning=2 * math.pi),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from osculant.primitives.primitive import Itself, Primitive
 
@@ -13,29 +13,31 @@ if TYPE_CHECKING:
     from osculant.pieces.piece import Floats
 
 
-def equioscillating() -> int:
-    """The kernels' number of the rule that makes the errors on both sides of the junction equal."""
+def equioscillating(order: int) -> Any:
+    """The kernels' record of the rule that makes the errors on both sides of the junction equal."""
     from osculant.kernels.bihelices.family import EQUIOSCILLATING
+    from osculant.kernels.bihelices.records import Bihelix
 
-    return EQUIOSCILLATING
+    return Bihelix(EQUIOSCILLATING, float(order))
 
 
-def thesis() -> int:
-    """The kernels' number of the rule of section 4.1.2."""
+def thesis(order: int) -> Any:
+    """The kernels' record of the rule of section 4.1.2."""
     from osculant.kernels.bihelices.family import THESIS
+    from osculant.kernels.bihelices.records import Bihelix
 
-    return THESIS
+    return Bihelix(THESIS, float(order))
 
 
-def bihelix_piece(row: Floats, place: Place, error: float) -> SpacePiece:
-    """A row of the kernel's table (`kernels.bihelix_spline`), which is in the user's coordinates."""
+def bihelix_piece(values: Floats, place: Place, error: float) -> SpacePiece:
+    """A row of the kernels' table (`kernels.bihelices.records`), which is in the user's coordinates."""
     from osculant.kernels.bihelices.helix import HELIX_SIZE
-    from osculant.kernels.bihelix_spline import LEFT, RIGHT
+    from osculant.kernels.bihelices.records import LEFT, MIDDLE, RIGHT
+    from osculant.kernels.operations import A, B
     from osculant.pieces.helices import SpacePiece
 
-    a, b, _, _, junction = row[:5].tolist()
-    arcs = tuple(helix_arc(row[first : first + HELIX_SIZE]) for first in (LEFT, RIGHT))
-    return SpacePiece((a, b), arcs, error, junction)
+    arcs = tuple(helix_arc(values[first : first + HELIX_SIZE]) for first in (LEFT, RIGHT))
+    return SpacePiece((float(values[A]), float(values[B])), arcs, error, float(values[MIDDLE]))
 
 
 def helix_arc(helix: Floats) -> HelixArc:

@@ -3,41 +3,46 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from osculant.kernels import primitives as codes
-from osculant.primitives.primitive import Itself, Primitive, user_point
+from osculant.primitives.primitive import Itself, Method, Primitive, user_point
 
 if TYPE_CHECKING:
+    from osculant.kernels.conics.records import Row
     from osculant.kernels.curves.plane import Place
     from osculant.pieces.conics import Piece, Point
     from osculant.pieces.kinds import ConicKind
     from osculant.pieces.piece import Floats
 
 
-def conic_piece(row: Floats, place: Place, error: float) -> Piece:
-    """A row of the kernel's table (`kernels.search.record`) as a conic arc."""
+def conic_piece(values: Floats, place: Place, error: float) -> Piece:
+    """A row of the kernels' table (`kernels.conics.records.Row`) as a conic arc."""
     from osculant.pieces.conics import classify
 
-    weight = float(row[11])
-    return _arc(row, place, error, classify(weight), weight)
+    row = _row(values)
+    return _arc(row, place, error, classify(row.weight), row.weight)
 
 
-def parabola_piece(row: Floats, place: Place, error: float) -> Piece:
-    """A row of the kernel's table as an arc of a parabola."""
-    return _arc(row, place, error, "parabola", 1.0)
+def parabola_piece(values: Floats, place: Place, error: float) -> Piece:
+    """A row of the kernels' table as an arc of a parabola."""
+    return _arc(_row(values), place, error, "parabola", 1.0)
 
 
-def _arc(row: Floats, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
+def _row(values: Floats) -> Row:
+    from osculant.kernels.conics.records import Row
+
+    return Row(*values.tolist())
+
+
+def _arc(row: Row, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
     from osculant.pieces.conics import Piece
 
-    a, b, q, _, _, x0, y0, tx, ty, x2, y2, _, reach, _, _ = row.tolist()
-    start, end = user_point(place, x0, y0), user_point(place, x2, y2)
-    if q == 0:
-        return Piece.segment((a, b), start, end, error)
-    reach /= place[2]
-    middle = (weight * start[0] + reach * tx, weight * start[1] + reach * ty * place[3])
-    return Piece(kind, (a, b), start, end, middle, weight, error)
+    start, end = user_point(place, row.x0, row.y0), user_point(place, row.x2, row.y2)
+    if row.q == 0:
+        return Piece.segment((row.a, row.b), start, end, error)
+    reach = row.reach / place.scale
+    middle = (weight * start[0] + reach * row.tx0, weight * start[1] + reach * row.ty0 * place.side)
+    return Piece(kind, (row.a, row.b), start, end, middle, weight, error)
 
 
 def segment(interval: tuple[float, float], start: Point, end: Point) -> Piece:
@@ -47,14 +52,25 @@ def segment(interval: tuple[float, float], start: Point, end: Point) -> Piece:
     return Piece.segment(interval, start, end)
 
 
+def record(name: str) -> Method:
+    """What loads the record of that name from `kernels.conics.records`."""
+
+    def load(order: int) -> Any:
+        from osculant.kernels.conics import records
+
+        return getattr(records, name)()
+
+    return load
+
+
 PARABOLA = Primitive(
     name="parabola",
     plural="parabolas",
     dimension=2,
     arcs=("parabola", "segment"),
     methods={
-        "hausdorff": {"bitangent": lambda: codes.PARABOLA},
-        "area": {"bitangent": lambda: codes.AREA_PARABOLA},
+        "hausdorff": {"bitangent": record("Parabola")},
+        "area": {"bitangent": record("ParabolaArea")},
     },
     theory=("parabolic",),
     itself=Itself("conic", ("parabolic",), lambda exact: exact.parabola, turning=math.pi),
@@ -69,10 +85,10 @@ CONIC = Primitive(
     dimension=2,
     arcs=("ellipse", "parabola", "hyperbola", "segment", "arc"),
     methods={
-        "hausdorff": {"equioscillating": lambda: codes.CONIC},
+        "hausdorff": {"equioscillating": record("Conic")},
         "area": {
-            "equisymmetric": lambda: codes.EQUISYMMETRIC,
-            "minimal-area": lambda: codes.LEAST_AREA,
+            "equisymmetric": record("EquisymmetricConic"),
+            "minimal-area": record("LeastAreaConic"),
         },
     },
     theory=("sextactic",),

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from osculant.cas.laws import law as laws
 
@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 
 #: how errors are measured, the default first
 METRICS = tuple(laws.METRICS)
+
+
+#: the order of a short arc's error → the record of a fit in the kernels (`osculant.kernels.operations`)
+Method: TypeAlias = Callable[[int], Any]
 
 
 @dataclass(frozen=True)
@@ -46,14 +50,15 @@ class Primitive:
         plural: as sentences say it.
         dimension: of the curves, 2 or 3.
         arcs: the kinds of arcs that its pieces are made of (`osculant.pieces.kinds.KINDS`).
-        methods: by metric and rule, the default first, what loads the method's number in the kernels; how a
-            piece is chosen from those tangent to the curve at both ends.
+        methods: by metric and rule, the default first, how a piece is chosen from those tangent to the curve
+            at both ends: what loads the kernels and makes their record.
         splits: the special points where no piece can pass, besides cusps; by form of the curve's zeros.
         theory: those where only theory wants a knot, as errors are not monotone across.
         itself: of curves that are arcs of the primitive; None if only straight lines are.
         monotone: whether an error grows with the arc, away from the points above.
         minimal: what is claimed of the least number of pieces that the search finds.
         smooth: whether pieces meet with a common tangent; others are no candidates for the best.
+        fewest: what is said beside the number of pieces where they do not, as "fewest" means other splines.
         piece: (row of the kernel's table, the kernel's place of the curve, error) → the piece.
         segment: (interval, start, end) → the straight piece.
     """
@@ -62,15 +67,16 @@ class Primitive:
     plural: str
     dimension: int
     arcs: tuple[str, ...]
-    methods: Mapping[str, Mapping[str, Callable[[], int]]]
+    methods: Mapping[str, Mapping[str, Method]]
     theory: tuple[str, ...]
     itself: Itself | None
     minimal: Literal["by theory", "unknown"]
-    piece: Callable[[Floats, Place, float], Any]
+    piece: Callable[[Floats, Any, float], Any]
     segment: Callable[[tuple[float, float], Any, Any], Any]
     splits: tuple[str, ...] = ("inflection",)
     monotone: bool = True
     smooth: bool = True
+    fewest: str = ""
 
     def rules(self, metric: str) -> tuple[str, ...]:
         """The rules for a metric, the default first; none if errors are not measured so."""
@@ -91,10 +97,9 @@ class Fit:
     metric: str
     rule: str
 
-    @property
-    def code(self) -> int:
-        """The number of the method in the kernels, which are loaded only now."""
-        return self.primitive.methods[self.metric][self.rule]()
+    def record(self, order: int) -> Any:
+        """The record of the method in the kernels, which are loaded only now, for errors of that order."""
+        return self.primitive.methods[self.metric][self.rule](order)
 
     def law(self, kind: str = "generic") -> laws.Law:
         """How the error of one short arc depends on its length, on a stretch of that kind."""
@@ -117,8 +122,9 @@ class Fit:
 def user_point(place: Place, x: float, y: float) -> tuple[float, float]:
     """A point of the plane in the user's coordinates, from the kernel's, by the place of its curve.
 
-    >>> user_point((1.0, 2.0, 0.5, -1.0, 0.0), 0.5, 0.5)
+    >>> from osculant.kernels.curves.plane import Place
+    >>> user_point(Place(1.0, 2.0, 0.5, -1.0, 0.0), 0.5, 0.5)
     (2.0, 1.0)
     """
-    back = 1.0 / place[2]
-    return x * back + place[0], y * back * place[3] + place[1]
+    back = 1.0 / place.scale
+    return x * back + place.x, y * back * place.side + place.y

@@ -5,84 +5,73 @@ import math
 import numpy as np
 import pytest
 
-from osculant.cas.formulas.parser import parse_tuple
-from osculant.codegen.jets import compile_jet
-from osculant.kernels import counting, given_knots
-from osculant.kernels import search as greedy
-from osculant.kernels.conics import scan
-from osculant.kernels.conics.minimax import minimax
-from osculant.kernels.curves.plane import JET_SIZE
-from osculant.kernels.primitives import (
-    AREA_PARABOLA,
-    BIARC,
-    CONIC,
-    EQUISYMMETRIC,
-    EQUISYMMETRIC_BIARC,
-    LEAST_AREA,
-    PARABOLA,
+from osculant.kernels import counting, given_knots, operations
+from osculant.kernels.conics.records import EquisymmetricConic, Row
+from osculant.kernels.operations import ERROR, A, B
+from tests.kernels.arcs import (
+    HERE,
+    NOISE,
+    PLANE,
+    arc,
+    best,
+    course_of,
+    frame_at,
+    jet_of,
+    name_of,
+    spline,
+    stretch,
 )
 
-NOISE = 4 * math.ulp(1.0)
-PLACE = (0.0, 0.0, 0.125, 1.0, NOISE)
-SPIRAL = compile_jet(parse_tuple("t*cos(t), t*sin(t)"), 2)
+PLACE = HERE._replace(scale=0.125)
+SPIRAL = jet_of("t*cos(t), t*sin(t)")
 ENDS = math.pi / 6, 2 * math.pi
+ALL = pytest.mark.parametrize("fit", PLANE, ids=name_of)
 
 
-def frames(jet, knots):
-    source = (jet.address, PLACE, np.empty(JET_SIZE))
-    return [greedy.frame(source, t) for t in knots]
-
-
-def fit(code, knots, jet=SPIRAL):
-    table = np.empty((len(knots) - 1, greedy.COLUMNS))
-    ends = frames(jet, [knots[0], knots[-1]])
-    given_knots.fit_arcs(code, jet.address, PLACE, np.asarray(knots), *ends, table)
+def fitted(fit, knots, jet=SPIRAL):
+    """The rows of the best pieces between the knots."""
+    a, b = knots[0], knots[-1]
+    table = np.empty((len(knots) - 1, operations.columns(type(fit))))
+    ends = frame_at(jet, a, PLACE), frame_at(jet, b, PLACE)
+    course = course_of(fit, jet, a, b, PLACE)
+    given_knots.fit_arcs(fit, jet.address, PLACE, np.asarray(knots), *ends, course, table)
     return table
 
 
-CODES = [PARABOLA, CONIC, BIARC, AREA_PARABOLA, EQUISYMMETRIC, LEAST_AREA, EQUISYMMETRIC_BIARC]
-
-
-@pytest.mark.parametrize("code", CODES)
+@ALL
 @pytest.mark.parametrize("count", [4, 10, 40])
-def test_given_arcs_get_the_best_pieces(code, count):
+def test_given_arcs_get_the_best_pieces(fit, count):
     knots = np.linspace(*ENDS, count + 1)
-    table = fit(code, knots)
-    at = frames(SPIRAL, knots)
-    source = (SPIRAL.address, PLACE, np.empty(JET_SIZE))
-    for i, row in enumerate(table):
-        error, _ = minimax(code, source, knots[i], at[i], knots[i + 1], at[i + 1], scan.workspace())
-        assert (row[0], row[1]) == (knots[i], knots[i + 1])
-        assert row[greedy.ERROR] == pytest.approx(error, rel=1e-10 + NOISE / error)
+    for i, row in enumerate(fitted(fit, knots)):
+        error, _ = best(fit, arc(SPIRAL, knots[i], knots[i + 1], PLACE))
+        assert (row[A], row[B]) == (knots[i], knots[i + 1])
+        assert row[ERROR] == pytest.approx(error, rel=1e-10 + NOISE / error)
 
 
-@pytest.mark.parametrize("code", CODES)
-def test_errors_change_smoothly_with_the_knots(code):
+@ALL
+def test_errors_change_smoothly_with_the_knots(fit):
     knots = np.linspace(1.0, 6.0, 9)
     step = 1e-4
     errors = np.array(
-        [fit(code, np.concatenate([[1.0], knots[1:-1] + i * step, [6.0]]))[:, 3] for i in range(5)]
+        [fitted(fit, np.concatenate([[1.0], knots[1:-1] + i * step, [6.0]]))[:, ERROR] for i in range(5)]
     )
     rough = errors[0] - 4 * errors[1] + 6 * errors[2] - 4 * errors[3] + errors[4]
     assert np.abs(rough / errors[2]).max() < 16 * 1e-11
 
 
 def test_an_arc_without_a_proper_piece_says_so():
-    curve = compile_jet(parse_tuple("t, t^3"), 2)
-    table = fit(EQUISYMMETRIC, [-1.0, 0.5, 1.0], curve)
-    assert table[0, greedy.ERROR] == math.inf
-    assert math.isnan(table[0, 2])
-    assert math.isfinite(table[1, greedy.ERROR])
+    first, second = (Row(*row) for row in fitted(EquisymmetricConic(), [-1.0, 0.5, 1.0], jet_of("t, t^3")))
+    assert first.error == math.inf
+    assert math.isnan(first.q)
+    assert math.isfinite(second.error)
 
 
-@pytest.mark.parametrize("code", CODES)
+@ALL
 @pytest.mark.parametrize("level", [1e-3, 1e-6, 1e-9])
-def test_the_quick_count_is_a_lower_bound(code, level):
-    start, last = frames(SPIRAL, ENDS)
-    call = (code, SPIRAL.address, PLACE, ENDS[0], start, ENDS[1], last)
-    table = np.empty((4000, greedy.COLUMNS))
-
+def test_the_quick_count_is_a_lower_bound(fit, level):
     def pieces(high):
-        return greedy.spline(*call, high * (1 - 1e-6), high, 0.7, table)[0]
+        return len(spline(fit, SPIRAL, *ENDS, (high * (1 - 1e-6), high), PLACE, length=0.7)[0])
 
-    assert pieces(1.03 * level) <= counting.count_larger(*call, level, 0.7) <= pieces(level)
+    call, course = stretch(fit, SPIRAL, *ENDS, PLACE), course_of(fit, SPIRAL, *ENDS, PLACE)
+    count = counting.count_larger(*call, level, 0.7, course)
+    assert pieces(1.03 * level) <= count <= pieces(level)

@@ -13,28 +13,34 @@ from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.laws.complexity import complexity_constant
 from osculant.cas.laws.table import law_of
 from osculant.cas.numbers.balls import PRECISION, precision
-from osculant.codegen.jets import compile_jet
-from osculant.kernels import primitives as codes
+from osculant.kernels.biarcs.records import Biarc, EquisymmetricBiarc
+from osculant.kernels.conics.records import (
+    Conic,
+    EquisymmetricConic,
+    LeastAreaConic,
+    Parabola,
+    ParabolaArea,
+)
 from osculant.kernels.quadrature import contents, predicted
+from tests.kernels.arcs import PLANE, jet_of, name_of
 
 LAWS = {
-    codes.PARABOLA: ("parabola", "hausdorff"),
-    codes.CONIC: ("conic", "hausdorff"),
-    codes.BIARC: ("biarc", "hausdorff"),
-    codes.AREA_PARABOLA: ("parabola", "area"),
-    codes.EQUISYMMETRIC: ("conic", "area"),
-    codes.LEAST_AREA: ("conic", "area"),
-    codes.EQUISYMMETRIC_BIARC: ("biarc", "area"),
+    Parabola: ("parabola", "hausdorff"),
+    Conic: ("conic", "hausdorff"),
+    Biarc: ("biarc", "hausdorff"),
+    ParabolaArea: ("parabola", "area"),
+    EquisymmetricConic: ("conic", "area"),
+    LeastAreaConic: ("conic", "area"),
+    EquisymmetricBiarc: ("biarc", "area"),
 }
+ALL = pytest.mark.parametrize("fit", PLANE, ids=name_of)
 SPIRAL = "t*cos(t), t*sin(t)"
-JETS = {
-    text: compile_jet(parse_tuple(text), 5) for text in (SPIRAL, "t, t^3", "t^2, t^3", "3*cos(t), sin(t)")
-}
+JETS = {text: jet_of(text, 5) for text in (SPIRAL, "t, t^3", "t^2, t^3", "3*cos(t), sin(t)")}
 
 
-def content(text, code, low, high):
+def content(text, record, low, high):
     """∫ (cJ)^{1/p} ds in balls: the constant itself, or that of the area to the power (p − 1)/p."""
-    primitive, metric = LAWS[code]
+    primitive, metric = LAWS[record]
     with precision(PRECISION):
         ends = arb(low), arb(high)
     value, _ = complexity_constant(CurveBalls(parse_tuple(text)), primitive, *ends, metric)
@@ -42,63 +48,63 @@ def content(text, code, low, high):
     return float(value) ** ((order - 1) / order if metric == "area" else 1)
 
 
-@pytest.mark.parametrize("code", LAWS)
+@ALL
 @pytest.mark.parametrize(
     ("text", "low", "high"), [(SPIRAL, 0.5, 6.25), ("t, t^3", 0.0, 0.25), ("t^2, t^3", 0.0, 1.0)]
 )
-def test_predicted(code, text, low, high):
-    expected = content(text, code, low, high)
-    got = predicted(code, JETS[text].address, 1.0, low, high)
+def test_predicted(fit, text, low, high):
+    expected = content(text, type(fit), low, high)
+    got = predicted(fit, JETS[text].address, 1.0, low, high)
     assert got == pytest.approx(expected, rel=1e-9)
     assert got != pytest.approx(expected * (1 + 1e-6), rel=1e-9)
-    others = [content(text, c, low, high) for c in LAWS if LAWS[c] != LAWS[code]]
+    others = [content(text, other, low, high) for other in LAWS if LAWS[other] != LAWS[type(fit)]]
     assert all(abs(other - expected) > 1e-3 * expected for other in others)
 
 
 def test_what_is_only_rounding_does_not_settle():
     """The content of a conic as conics is 0: roots of rounding errors."""
-    value = predicted(codes.EQUISYMMETRIC, JETS["3*cos(t), sin(t)"].address, 1.0, 0.0, 1.5)
+    value = predicted(EquisymmetricConic(), JETS["3*cos(t), sin(t)"].address, 1.0, 0.0, 1.5)
     assert math.isnan(value) or value < 1e-2
-    assert predicted(codes.AREA_PARABOLA, JETS["3*cos(t), sin(t)"].address, 1.0, 0.0, 1.5) > 0.1
+    assert predicted(ParabolaArea(), JETS["3*cos(t), sin(t)"].address, 1.0, 0.0, 1.5) > 0.1
 
 
-@pytest.mark.parametrize("code", LAWS)
+@ALL
 @pytest.mark.parametrize(
     ("text", "low", "high"), [(SPIRAL, 0.5, 6.25), ("t, t^3", 0.0, 0.25), ("t^2, t^3", 0.0, 1.0)]
 )
-def test_contents(code, text, low, high):
+def test_contents(fit, text, low, high):
     address = JETS[text].address
     times = low + (high - low) * np.linspace(0, 1, 65)
     out = np.full(65, np.nan)
-    contents(code, address, 1.0, times, out)
+    contents(fit, address, 1.0, times, out)
     assert out[0] == 0 and np.all(np.diff(out) > 0)
     for j in (1, 2, 7, 40, 63, 64):
-        assert out[j] == pytest.approx(predicted(code, address, 1.0, low, times[j]), rel=2e-3)
+        assert out[j] == pytest.approx(predicted(fit, address, 1.0, low, times[j]), rel=2e-3)
     # away from singular ends the panels are smooth, and the values good
     if text == SPIRAL:
-        assert out[-1] == pytest.approx(content(text, code, low, high), rel=1e-9)
+        assert out[-1] == pytest.approx(content(text, type(fit), low, high), rel=1e-9)
 
 
 def test_contents_of_one_panel_and_of_uneven_ones():
-    address, code = JETS["t, t^3"].address, codes.EQUISYMMETRIC
-    whole = predicted(code, address, 1.0, 0.0, 0.25)
+    address, fit = JETS["t, t^3"].address, EquisymmetricConic()
+    whole = predicted(fit, address, 1.0, 0.0, 0.25)
     for times in ([0.0, 0.25], [0.0, 1e-9, 0.25], [0.0, 1e-6, 1e-4, 0.01, 0.1, 0.25]):
         out = np.empty(len(times))
-        contents(code, address, 1.0, np.array(times), out)
+        contents(fit, address, 1.0, np.array(times), out)
         assert out[-1] == pytest.approx(whole, rel=1e-2 if len(times) > 3 else 1e-6)
 
 
-@pytest.mark.parametrize("code", LAWS)
+@ALL
 @settings(max_examples=10, deadline=None)
 @given(st.floats(-40, 40), st.floats(0.6, 6.0))
-def test_scale_and_additivity(code, exponent, middle):
+def test_scale_and_additivity(fit, exponent, middle):
     """Errors are lengths or areas, so the content of λα is λ^{1/p} or λ^{2/p} times that of α."""
-    primitive, metric = LAWS[code]
+    primitive, metric = LAWS[type(fit)]
     address, scale = JETS[SPIRAL].address, 2.0**exponent
     power = (2 if metric == "area" else 1) / law_of(primitive, metric).order
-    whole = predicted(code, address, 1.0, 0.5, 6.25)
-    assert predicted(code, address, scale, 0.5, 6.25) == pytest.approx(whole * scale**power, rel=1e-9)
-    parts = [predicted(code, address, 1.0, *ends) for ends in ((0.5, middle), (middle, 6.25))]
+    whole = predicted(fit, address, 1.0, 0.5, 6.25)
+    assert predicted(fit, address, scale, 0.5, 6.25) == pytest.approx(whole * scale**power, rel=1e-9)
+    parts = [predicted(fit, address, 1.0, *ends) for ends in ((0.5, middle), (middle, 6.25))]
     assert math.fsum(parts) == pytest.approx(whole, rel=1e-9)
     assert math.fsum(parts) != pytest.approx(whole * (1 + 1e-6), rel=1e-9)
 
@@ -108,7 +114,7 @@ def test_the_cubic_by_hand():
     factor = (20 / 81 / 7680) ** (1 / 6) * 6 ** (1 / 3) * 1.5
     times = np.linspace(0, 1, 200)
     out = np.empty(200)
-    contents(codes.EQUISYMMETRIC, JETS["t, t^3"].address, 1.0, times, out)
+    contents(EquisymmetricConic(), JETS["t, t^3"].address, 1.0, times, out)
     assert out == pytest.approx(factor * times ** (2 / 3), rel=1e-3)
     knots = np.interp(out[-1] * np.linspace(0, 1, 9), out, times)
     assert knots == pytest.approx(np.linspace(0, 1, 9) ** 1.5, abs=2e-4)

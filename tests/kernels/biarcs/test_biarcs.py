@@ -9,35 +9,29 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry import biarcs as reference
-from osculant.codegen.jets import compile_jet
-from osculant.kernels import search as greedy
-from osculant.kernels.biarcs import exchange as biarc_spline
 from osculant.kernels.biarcs import family as biarc
-from osculant.kernels.biarcs import scan as biarc_scan
-from osculant.kernels.conics import scan
-from osculant.kernels.curves.plane import JET_SIZE, sample
-from osculant.kernels.primitives import BIARC
+from osculant.kernels.biarcs import scan
+from osculant.kernels.biarcs.records import Biarc
+from osculant.kernels.conics.scan import workspace
+from osculant.kernels.curves.plane import Frame, sample
+from tests.kernels.arcs import HERE, MIRRORED, arc, jet_of, spline, visit
+from tests.kernels.arcs import best as best_of
 
-NOISE = 4 * math.ulp(1.0)
-SPIRAL = compile_jet(parse_tuple("t*cos(t), t*sin(t)"), 2)
-CIRCLE = compile_jet(parse_tuple("cos(t), sin(t)"), 2)
-LINE = compile_jet(parse_tuple("t, 2*t"), 2)
-
-
-def source_of(jet, flip=1.0):
-    return (jet.address, (0.0, 0.0, 1.0, flip, NOISE), np.empty(JET_SIZE))
+FIT = Biarc()
+SPIRAL = jet_of("t*cos(t), t*sin(t)")
+CIRCLE = jet_of("cos(t), sin(t)")
+LINE = jet_of("t, 2*t")
 
 
-def arc(jet, a, b, flip=1.0):
-    source = source_of(jet, flip)
-    return source, greedy.frame(source, a), greedy.frame(source, b)
+def best(jet, a, b, place=HERE):
+    """(error, μ)."""
+    return best_of(FIT, arc(jet, a, b, place))
 
 
-def best(jet, a, b, flip=1.0):
-    source, start, end = arc(jet, a, b, flip)
-    return biarc_scan.best(source, a, start, b, end, scan.workspace())
+def member(on, mu):
+    """The biarc μ between the ends of an arc."""
+    return biarc.member(biarc.family(on.start, on.end), mu)
 
 
 def follow(x, y, tx, ty, bend, chord):
@@ -59,15 +53,15 @@ def test_members_are_two_arcs_between_the_frames(alpha, beta, mu, turn, size):
     length = 10.0**size
     end = length * cmath.exp(1j * (turn + alpha))
     first, last = cmath.exp(1j * turn), cmath.exp(1j * (turn + alpha + beta))
-    start, stop = (0.0, 0.0, first.real, first.imag), (end.real, end.imag, last.real, last.imag)
+    start, stop = Frame(0.0, 0.0, first.real, first.imag), Frame(end.real, end.imag, last.real, last.imag)
     fam = biarc.family(start, stop)
     assert biarc.is_proper(fam)
     m = biarc.member(fam, mu)
     assert biarc.is_short(m)
-    junction, direction = complex(m[4], m[5]), complex(m[6], m[7])
-    point, tangent = follow(*m[:4], m[12], abs(junction))
+    junction, direction = complex(m.x1, m.y1), complex(m.tx1, m.ty1)
+    point, tangent = follow(m.x0, m.y0, m.tx0, m.ty0, m.bend0, abs(junction))
     assert abs(point - junction) < 1e-13 * length and abs(tangent - direction) < 1e-13
-    point, tangent = follow(*m[4:8], m[13], abs(end - junction))
+    point, tangent = follow(m.x1, m.y1, m.tx1, m.ty1, m.bend1, abs(end - junction))
     assert abs(point - end) < 1e-13 * length and abs(tangent - last) < 1e-13
     if alpha + beta > 1e-3:
         with mp.workdps(30):
@@ -75,35 +69,36 @@ def test_members_are_two_arcs_between_the_frames(alpha, beta, mu, turn, size):
                 mp.mpc(0), mp.mpc(first), mp.mpc(end), mp.arg(mp.mpc(last) / mp.mpc(first)), mp.mpf(mu)
             )
             assert abs(exact.junction - junction) < 1e-12 * length
-            for bend, other in zip(m[12:], exact.curvatures):
+            for bend, other in zip((m.bend0, m.bend1), exact.curvatures):
                 assert abs(bend - other) * length < 1e-12 / min(mu, 1 - mu)
 
 
 def test_equal_tangents_give_a_line_of_junctions():
-    fam = biarc.family((0.0, 0.0, 1.0, 0.0), (2.0, 0.5, 1.0, 0.0))
-    x, y, *_ = biarc.member(fam, 0.25)[4:8]
-    assert (x, y) == pytest.approx((0.5, 0.125), rel=1e-15)
-    m = biarc.member(biarc.family((0.0, 0.0, 1.0, 0.0), (2.0, 0.0, 1.0, 0.0)), 0.5)
-    assert m[4:8] == (1.0, 0.0, 1.0, 0.0) and m[12:] == (0.0, 0.0)
+    start = Frame(0.0, 0.0, 1.0, 0.0)
+    m = biarc.member(biarc.family(start, Frame(2.0, 0.5, 1.0, 0.0)), 0.25)
+    assert (m.x1, m.y1) == pytest.approx((0.5, 0.125), rel=1e-15)
+    m = biarc.member(biarc.family(start, Frame(2.0, 0.0, 1.0, 0.0)), 0.5)
+    assert (m.x1, m.y1, m.tx1, m.ty1) == (1.0, 0.0, 1.0, 0.0)
+    assert (m.bend0, m.bend1) == (0.0, 0.0)
 
 
 @settings(max_examples=60)
 @given(st.floats(0.6, 5.0), st.floats(0.05, 1.5), st.floats(0.05, 0.95), st.floats(0.1, 0.9))
 def test_distance_and_its_derivatives(a, length, x, mu):
-    source, start, end = arc(SPIRAL, a, a + length)
-    m = biarc.member(biarc.family(start, end), mu)
+    on = arc(SPIRAL, a, a + length)
+    m = member(on, mu)
     t = a + x * length
 
-    px, py, sx, sy, speed, bend = sample(source, t)
+    px, py, sx, sy, speed, bend = sample(on.source, t)
     d, slope, second = biarc.distance(m, px, py, sx, sy, bend)
-    ahead = complex(px, py) - complex(m[4], m[5])
-    base, circle = (0, m[12]) if ahead.real * m[6] + ahead.imag * m[7] <= 0 else (8, m[13])
+    ahead = complex(px, py) - complex(m.x1, m.y1)
+    base, circle = (0, m.bend0) if ahead.real * m.tx1 + ahead.imag * m.ty1 <= 0 else (8, m.bend1)
     centre = complex(m[base], m[base + 1]) + 1j * complex(m[base + 2], m[base + 3]) / circle
     radial = (1 / abs(circle) - abs(complex(px, py) - centre)) * math.copysign(1, circle)
     assert d == pytest.approx(radial, abs=1e-12 * (1 + 1 / abs(circle)))
 
     def beside(t):
-        return biarc.to_circle(*m[base : base + 4], circle, *np.delete(sample(source, t), 4))
+        return biarc.to_circle(*m[base : base + 4], circle, *np.delete(sample(on.source, t), 4))
 
     step = 1e-4
     before, after = beside(t - step), beside(t + step)
@@ -112,11 +107,10 @@ def test_distance_and_its_derivatives(a, length, x, mu):
 
 
 def test_the_distance_bends_smoothly_over_the_junction():
-    _, start, end = arc(SPIRAL, 2.0, 3.0)
-    m = biarc.member(biarc.family(start, end), 0.45)
+    m = member(arc(SPIRAL, 2.0, 3.0), 0.45)
     ends = [
-        biarc.to_circle(*m[k : k + 4], bend, m[4] - 0.1 * m[7], m[5] + 0.1 * m[6], 0.6, 0.8, 0.3)
-        for k, bend in ((0, m[12]), (4, m[13]))
+        biarc.to_circle(*m[k : k + 4], bend, m.x1 - 0.1 * m.ty1, m.y1 + 0.1 * m.tx1, 0.6, 0.8, 0.3)
+        for k, bend in ((0, m.bend0), (4, m.bend1))
     ]
     assert ends[0][:2] == pytest.approx(ends[1][:2], abs=1e-14)
 
@@ -136,15 +130,12 @@ def reference_best(low, high, peaks):
 
 @pytest.mark.parametrize(("a", "b"), [(0.6, 1.0), (2.0, 3.0), (5.0, 5.1), (1.0, 3.2)])
 def test_the_best_member_is_that_of_the_reference(a, b):
-    source, start, end = arc(SPIRAL, a, b)
     error, mu = best(SPIRAL, a, b)
-    peaks = biarc_spline.FIRST_PEAKS
-    for _ in range(8):
-        fast, fast_mu, unrest, peaks = biarc_spline.exchange(source, a, start, b, end, peaks)
-    assert unrest < 1e-10
+    fast, fast_mu, settled, peaks = visit(FIT, arc(SPIRAL, a, b), 1e-10)
+    assert settled
     assert (fast, fast_mu) == pytest.approx((error, mu), rel=1e-8)
     with mp.workdps(30):
-        exact_mu, exact = reference_best(mp.mpf(a), mp.mpf(b), peaks[:2])
+        exact_mu, exact = reference_best(mp.mpf(a), mp.mpf(b), (peaks.first, peaks.last))
         assert float(exact) == pytest.approx(error, rel=1e-6)
         assert float(exact_mu) == pytest.approx(mu, rel=1e-6)
 
@@ -153,13 +144,12 @@ def test_the_best_member_is_that_of_the_reference(a, b):
 @given(st.floats(0.6, 5.0), st.floats(0.1, 1.0), st.sampled_from([-1e-3, 1e-3, 0.05, -0.05]))
 def test_no_other_member_is_better(a, length, off):
     error, mu = best(SPIRAL, a, a + length)
-    source, start, end = arc(SPIRAL, a, a + length)
-    other = biarc.member(biarc.family(start, end), mu + off)
-    assert biarc_scan.measure(other, source, a, a + length, 40, scan.workspace()) > error
-    m = biarc.member(biarc.family(start, end), mu)
+    on = arc(SPIRAL, a, a + length)
+    assert scan.measure(member(on, mu + off), on.source, a, a + length, 40, workspace(FIT)) > error
+    m = member(on, mu)
     grid = []
     for t in np.linspace(a, a + length, 2001)[1:-1]:
-        px, py, sx, sy, _, bend = sample(source, t)
+        px, py, sx, sy, _, bend = sample(on.source, t)
         grid.append(biarc.distance(m, px, py, sx, sy, bend)[0])
     assert max(grid) == pytest.approx(error, rel=1e-5)
     assert -min(grid) == pytest.approx(error, rel=1e-5)
@@ -191,7 +181,7 @@ def test_the_error_is_that_of_the_theory():
 )
 def test_errors_grow_with_the_arc(text, first, length):
     """A scan for violations of the monotonicity that greedy splines rest on."""
-    jet, last = compile_jet(parse_tuple(text), 2), first + length
+    jet, last = jet_of(text), first + length
     ends = np.linspace(first, last, 41)
     longer = [best(jet, first, b)[0] for b in ends[5:]]
     shorter = [best(jet, a, last)[0] for a in ends[:-5]]
@@ -199,23 +189,23 @@ def test_errors_grow_with_the_arc(text, first, length):
 
 
 def test_mirrored_and_reversed_arcs_have_the_same_error():
-    mirrored = compile_jet(parse_tuple("t*cos(t), -t*sin(t)"), 2)
-    assert best(mirrored, 1.0, 2.0, -1.0) == best(SPIRAL, 1.0, 2.0)
-    backwards = compile_jet(parse_tuple("-t*cos(t), t*sin(t)"), 2)
+    mirrored = jet_of("t*cos(t), -t*sin(t)")
+    assert best(mirrored, 1.0, 2.0, MIRRORED) == best(SPIRAL, 1.0, 2.0)
+    backwards = jet_of("-t*cos(t), t*sin(t)")
     error, mu = best(SPIRAL, 1.0, 2.0)
-    assert best(backwards, -2.0, -1.0, -1.0) == pytest.approx((error, 1 - mu), rel=1e-9)
+    assert best(backwards, -2.0, -1.0, MIRRORED) == pytest.approx((error, 1 - mu), rel=1e-9)
 
 
 def test_arcs_that_turn_too_far_have_no_biarc():
     assert best(CIRCLE, 0.0, 3.1)[0] < 1e-15
     assert best(CIRCLE, 0.0, 3.2)[0] == math.inf
     assert best(SPIRAL, 10.0, 10.0 + 2.5 * math.pi)[0] == math.inf
-    source, start, end = arc(CIRCLE, 0.0, 3.2)
-    assert math.isnan(biarc_spline.exchange(source, 0.0, start, 3.2, end, biarc_spline.FIRST_PEAKS)[0])
+    error, _, settled, _ = visit(FIT, arc(CIRCLE, 0.0, 3.2), 1e-9, rounds=1)
+    assert math.isnan(error) and not settled
 
 
 def test_arcs_of_a_member_that_turn_too_far_are_seen():
-    frames = (0.0, 0.0, 1.0, 0.0), (math.cos(3.0), math.sin(3.0), math.cos(3.0), math.sin(3.0))
+    frames = Frame(0.0, 0.0, 1.0, 0.0), Frame(math.cos(3.0), math.sin(3.0), math.cos(3.0), math.sin(3.0))
     assert [biarc.is_short(biarc.member(biarc.family(*frames), mu)) for mu in (0.02, 0.5)] == [True, False]
 
 
@@ -225,12 +215,10 @@ def test_straight_arcs_are_finite():
 
 
 def test_a_table_too_small_is_filled_and_continued():
-    source, start, end = arc(SPIRAL, math.pi / 6, 2 * math.pi)
+    a, b = math.pi / 6, 2 * math.pi
     window = 1e-6 * (1 - 2e-6), 1e-6 * (1 - 1e-7)
-    whole, part = np.empty((100, greedy.COLUMNS)), np.empty((20, greedy.COLUMNS))
-    call = (BIARC, *source[:2], math.pi / 6, start, 2 * math.pi, end, *window, 0.1)
-    count, reached, careful = greedy.spline(*call, whole)
-    assert (count, reached, careful) == (91, 2 * math.pi, 0)
-    count, reached, _ = greedy.spline(*call, part)
-    assert count == 20
+    whole, reached, careful = spline(FIT, SPIRAL, a, b, window, length=0.1)
+    assert (len(whole), reached, careful) == (91, b, 0)
+    part, reached, _ = spline(FIT, SPIRAL, a, b, window, capacity=20, length=0.1)
+    assert len(part) == 20
     assert reached == whole[19, 1]

@@ -45,7 +45,7 @@ def round_trips(p, t0, t1, length):
         a, b = (t0[i, 0], t0[i, 1], t0[i, 2]), (t1[i, 0], t1[i, 1], t1[i, 2])
         kind, _, arc = short_helix((0.0, 0.0, 0.0), a, end, b, 1e-11, 0.0)
         missed += kind < 0
-        q, last, _ = place_at(arc, arc[13])
+        q, last, _ = place_at(arc, arc.length)
         first = place_at(arc, 0.0)[1]
         for j in range(3):
             worst_point = max(worst_point, abs(q[j] - end[j]) / length[i])
@@ -83,10 +83,10 @@ def test_parameters_of_helices_that_turn_enough(lead, turning, size, seed):
     t0, p, t1, length = one(lead, turning, size, seed)
     _, residual, arc = short_helix(ZERO, t0, p, t1, 1e-11, 0.0)
     assert residual < 1e-12
-    assert arc[13] == pytest.approx(length, rel=1e-9)
-    assert arc[14] == pytest.approx(turning, rel=1e-7)
-    assert arc[15] == pytest.approx(math.cos(lead) / size, rel=1e-7, abs=1e-9 / size)
-    assert arc[16] == pytest.approx(math.sin(lead) / size, rel=1e-7, abs=1e-9 / size)
+    assert arc.length == pytest.approx(length, rel=1e-9)
+    assert arc.turning == pytest.approx(turning, rel=1e-7)
+    assert arc.curvature == pytest.approx(math.cos(lead) / size, rel=1e-7, abs=1e-9 / size)
+    assert arc.torsion == pytest.approx(math.sin(lead) / size, rel=1e-7, abs=1e-9 / size)
 
 
 @settings(max_examples=40, deadline=None)
@@ -94,13 +94,13 @@ def test_parameters_of_helices_that_turn_enough(lead, turning, size, seed):
 def test_points_and_derivatives(lead, turning, where, seed):
     t0, p, t1, _ = one(lead, turning, 1.0, seed)
     arc = short_helix(ZERO, t0, p, t1, 1e-11, 0.0)[2]
-    s, step = where * arc[13], 1e-4
+    s, step = where * arc.length, 1e-4
     point, tangent, bend = (np.array(v) for v in place_at(arc, s))
     before, after = (place_at(arc, s + sign * step) for sign in (-1, 1))
     assert np.allclose(np.subtract(after[0], before[0]) / (2 * step), tangent, atol=1e-7)
     assert np.allclose(np.subtract(after[1], before[1]) / (2 * step), bend, atol=1e-7)
     assert np.linalg.norm(tangent) == pytest.approx(1, abs=1e-14)
-    assert np.linalg.norm(bend) == pytest.approx(arc[15], abs=1e-12)
+    assert np.linalg.norm(bend) == pytest.approx(arc.curvature, abs=1e-12)
     assert tuple(point) == point_at(arc, s)
     assert tuple(tangent) == tangent_at(arc, s)
 
@@ -113,8 +113,8 @@ def test_the_reference_solver_agrees(lead, turning, seed):
     other = reference(ZERO, t0, p, t1)
     for part in (0.3, 0.5, 0.8):
         there = other.helix.at(part * other.length)
-        assert np.allclose(point_at(arc, part * arc[13]), [float(x) for x in there], atol=1e-12 * turning)
-    assert arc[13] == pytest.approx(float(other.length), rel=1e-10)
+        assert np.allclose(point_at(arc, part * arc.length), [float(x) for x in there], atol=1e-12 * turning)
+    assert arc.length == pytest.approx(float(other.length), rel=1e-10)
 
 
 def test_arcs_shorter_than_their_rounding_are_still_followed():
@@ -122,13 +122,13 @@ def test_arcs_shorter_than_their_rounding_are_still_followed():
         t0, p, t1, length = one(0.7, turning)
         kind, _, arc = short_helix(ZERO, t0, p, t1, 1e-11, 0.0)
         assert kind >= 0
-        assert np.linalg.norm(np.subtract(point_at(arc, arc[13]), p)) < 1e-14 * length
+        assert np.linalg.norm(np.subtract(point_at(arc, arc.length), p)) < 1e-14 * length
 
 
 def test_degenerate_data():
     up, ahead = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
     kind, _, arc = short_helix(ZERO, up, (0.0, 0.0, 5.0), up, 1e-11, 0.0)
-    assert (kind, arc[12:]) == (kernels.SEGMENT, (0.0, 5.0, 0.0, 0.0, 0.0))
+    assert (kind, arc[4:]) == (kernels.SEGMENT, (0.0, 5.0, 0.0, 0.0, 0.0))
     assert point_at(arc, 2.0) == (0.0, 0.0, 2.0)
     assert short_helix(ZERO, up, (0.0, 0.0, -5.0), up, 1e-11, 0.0)[0] == kernels.ASKEW
     assert short_helix(ZERO, up, (1.0, 0.0, 5.0), up, 1e-11, 0.0)[0] == kernels.ASKEW
@@ -138,7 +138,7 @@ def test_degenerate_data():
     assert (kind, residual) == (kernels.NOT_COPLANAR, 1.0)
     kind, _, arc = short_helix(ZERO, up, (4.0, 0.0, 0.0), (0.0, 0.0, -1.0), 1e-11, 0.0)
     assert kind == kernels.HALF_CIRCLE
-    assert arc[13:] == pytest.approx((2 * math.pi, math.pi, 0.5, 0.0), abs=1e-15)
+    assert arc[5:] == pytest.approx((2 * math.pi, math.pi, 0.5, 0.0), abs=1e-15)
     assert point_at(arc, math.pi) == pytest.approx((2.0, 0.0, 2.0))
 
 
@@ -148,9 +148,9 @@ def test_plane_data_give_exactly_no_torsion(turning, seed):
     t0, p, t1, length = one(0.0, turning, 1.0, seed)
     kind, _, arc = short_helix(ZERO, t0, p, t1, 1e-11, 0.0)
     assert kind in (kernels.PLANE, kernels.HALF_CIRCLE)
-    assert arc[16] == 0.0
-    assert arc[14] == pytest.approx(turning, rel=1e-12)
-    assert arc[13] == pytest.approx(length, rel=1e-12)
+    assert arc.torsion == 0.0
+    assert arc.turning == pytest.approx(turning, rel=1e-12)
+    assert arc.length == pytest.approx(length, rel=1e-12)
 
 
 @settings(max_examples=40, deadline=None)
@@ -160,11 +160,11 @@ def test_mirrored_and_reversed(lead, turning, seed):
     arc = short_helix(ZERO, t0, p, t1, 1e-11, 0.0)[2]
     mirrored = [(a[0], a[1], -a[2]) for a in (t0, p, t1)]
     other = short_helix(ZERO, mirrored[0], mirrored[1], mirrored[2], 1e-11, 0.0)[2]
-    assert other[16] == pytest.approx(-arc[16], abs=1e-9)
-    assert other[13] == pytest.approx(arc[13], rel=1e-12)
+    assert other.torsion == pytest.approx(-arc.torsion, abs=1e-9)
+    assert other.length == pytest.approx(arc.length, rel=1e-12)
     back = short_helix(p, tuple(-x for x in t1), ZERO, tuple(-x for x in t0), 1e-11, 0.0)[2]
-    assert back[16] == pytest.approx(arc[16], abs=1e-9)
-    assert np.allclose(point_at(back, 0.3 * back[13]), point_at(arc, 0.7 * arc[13]), atol=1e-11)
+    assert back.torsion == pytest.approx(arc.torsion, abs=1e-9)
+    assert np.allclose(point_at(back, 0.3 * back.length), point_at(arc, 0.7 * arc.length), atol=1e-11)
 
 
 @settings(max_examples=60, deadline=None)
@@ -175,13 +175,13 @@ def test_nearest_points_against_many_samples(lead, turning, p, seed):
     t0, end, t1, _ = one(lead, turning, 1.0, seed)
     kind, _, arc = short_helix(ZERO, t0, end, t1, 1e-11, 0.0)
     assume(kind >= 0)
-    places = np.linspace(0, arc[13], 2001)
+    places = np.linspace(0, arc.length, 2001)
     distances = [math.dist(point_at(arc, s), p) for s in places]
     found, s = nearest(arc, p)
     assert math.dist(point_at(arc, s), p) == pytest.approx(found, abs=1e-9)
-    assert 0 <= s <= arc[13]
+    assert 0 <= s <= arc.length
     assert found <= min(distances) + 1e-12
-    assert found >= min(distances) - arc[13] / 2000
+    assert found >= min(distances) - arc.length / 2000
 
 
 def test_feet_on_lines_and_circles():
@@ -189,10 +189,10 @@ def test_feet_on_lines_and_circles():
     assert nearest(line, (3.0, 5.0, 5.0)) == pytest.approx((5.0, 5.0))
     assert nearest(line, (0.0, 13.0, 5.0)) == pytest.approx((5.0, 10.0))
     circle = short_helix((2.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -2.0, 0.0), (1.0, 0.0, 0.0), 1e-11, 0.0)[2]
-    assert circle[14] == pytest.approx(1.5 * math.pi)
+    assert circle.turning == pytest.approx(1.5 * math.pi)
     for angle in (0.2, 1.0, 3.0, 4.5):
         p = (5 * math.cos(angle), 5 * math.sin(angle), 4.0)
-        s, away, tangent, stiff = foot(circle, p, 2 * angle + 0.3, 0.0, circle[13])
+        s, away, tangent, stiff = foot(circle, p, 2 * angle + 0.3, 0.0, circle.length)
         assert s == pytest.approx(2 * angle, abs=1e-9)
         assert math.hypot(*away) == pytest.approx(5.0)
         assert np.dot(away, tangent) == pytest.approx(0, abs=1e-12)
