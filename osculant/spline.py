@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.certificates.splines import Certificate, certify
@@ -33,29 +33,21 @@ class CurveText(Protocol):
         """The formula."""
 
 
-class Prediction(Protocol):
-    """What theory says about the number of pieces."""
+class Prediction(NamedTuple):
+    """What theory says: how many pieces, how many in whole ones on each stretch, the error of so many."""
 
-    @property
-    def predicted(self) -> float:
-        """The real number of the asymptotic formula."""
-
-    @property
-    def predicted_pieces(self) -> int:
-        """The same in whole pieces, rounded up on each stretch."""
-
-    @property
-    def predicted_error(self) -> float:
-        """The error of so many pieces as the spline has, by the same formula."""
+    predicted: float
+    predicted_pieces: int
+    predicted_error: float
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Spline:
-    """A tangent-continuous chain of pieces that stands for a curve within a tolerance.
+    """A chain of pieces that stands for a curve within a tolerance, tangent-continuous but for polygons.
 
     Attributes:
         curve: the curve approximated, in the plane or in space.
-        primitive: "parabola", "conic", "biarc" or, in space, "bihelix".
+        primitive: "parabola", "conic", "biarc", in space "bihelix", or in both "polygon".
         metric: "hausdorff", where errors are distances, or "area", where each error is the area between a
             piece and its arc of the curve (all regions counted positive), and `error` is their sum.
         rule: how a piece is chosen among those tangent at both ends, as `osculant.approximate` names it;
@@ -66,7 +58,8 @@ class Spline:
             number of pieces: a smaller error): "proved", "by theory" (no check of its hypotheses beyond the
             isolation of special points) or "unknown". In the metric "area" among those of n pieces with
             areas of at most tolerance/n each. Of bihelices "proved" only where every stretch between split
-            points is one piece: their error is not monotone in the length of the arc.
+            points is one piece: their error is not monotone in the length of the arc. Of polygons among
+            inscribed ones.
         undecided: parameters of knots where it could not be decided whether theory demands a split.
         splits: parameters inside the interval where theory, or the user, demanded a knot.
         closed: whether it returns to where it began.

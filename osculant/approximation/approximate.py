@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.approximation.closing import closing
 from osculant.approximation.division import divide
-from osculant.approximation.prediction import Prediction, quick_complexity
+from osculant.approximation.prediction import prediction, quick_complexity
 from osculant.approximation.request import requested
 from osculant.approximation.runs import whole_error
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.primitives.table import candidates, choose
-from osculant.spline import Spline
+from osculant.spline import Prediction, Spline
 from osculant.tolerances import FLOOR_ULPS, check_floor, writing_share
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ def approximate_curve(
     def predict() -> Prediction:
         least = tuple(map(needed, found.parts, found.runs))
         law = quick_complexity(curve, fit, found.division, least, size.scale)
-        return Prediction.of(law, allowed, found.count)
+        return prediction(law, allowed, found.count)
 
     return Spline(
         curve=curve,

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from osculant.approximation.division import divide
 from osculant.cas.errors import DomainError
 from osculant.primitives.table import choose
+from osculant.spline import Prediction
 from osculant.tolerances import checked_tolerance
 
 if TYPE_CHECKING:
@@ -261,20 +262,11 @@ def quick_complexity(
     return _complexity(fit, division, tuple(constants), least, DIGITS_FOR_SPLINES)
 
 
-@dataclass(frozen=True)
-class Prediction:
-    """What theory says about one spline: a complexity at one tolerance and one number of pieces.
+def prediction(law: Complexity, tolerance: float, pieces: int) -> Prediction:
+    """What a law says about one spline: at its tolerance, and at its number of pieces.
 
     >>> law = Complexity("conic", "hausdorff", 5, ("1.5",), (1,), 15)
-    >>> Prediction.of(law, 1e-5, 15).predicted_pieces
+    >>> prediction(law, 1e-5, 15).predicted_pieces
     15
     """
-
-    predicted: float
-    predicted_pieces: int
-    predicted_error: float
-
-    @classmethod
-    def of(cls, law: Complexity, tolerance: float, pieces: int) -> Prediction:
-        """The numbers of pieces for the tolerance, and the error of so many pieces."""
-        return cls(law.predicted(tolerance), law.predicted_pieces(tolerance), law.predicted_error(pieces))
+    return Prediction(law.predicted(tolerance), law.predicted_pieces(tolerance), law.predicted_error(pieces))
