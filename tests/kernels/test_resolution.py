@@ -37,36 +37,47 @@ def biarc_points(numbers, count):
 
 
 def conic_points(numbers, count):
-    """The conic of a row, from its weight and control points; equidistant in the angle between tangents."""
+    """The conic of a row, from its weight and control points; of an ellipse equal steps of its angle."""
     row = conics.Row(*numbers)
     start, end = np.array([row.x0, row.y0]), np.array([row.x2, row.y2])
     middle = row.weight * start + row.reach * np.array([row.tx0, row.ty0])
-    u = 0.5 - 0.5 * np.cos(np.linspace(0, math.pi, count))
-    b0, b1, b2 = (1 - u) ** 2, 2 * u * (1 - u), u**2
-    return (np.outer(b0, start) + np.outer(b1, middle) + np.outer(b2, end)) / (b0 + row.weight * b1 + b2)[
-        :, None
-    ]
+    after = np.linspace(0, 1, count)
+    before = 1 - after
+    if row.weight < 1:
+        angle = math.acos(row.weight)
+        after, before = np.sin(after * angle), np.sin(before * angle)
+    b0, b1, b2 = before**2, 2 * before * after, after**2
+    top = np.outer(b0, start) + np.outer(b1, middle) + np.outer(b2, end)
+    return top / (b0 + row.weight * b1 + b2)[:, None]
 
 
-def check(fit, points_of, text, a, b, tolerance, count=4001):
+def check(fit, points_of, text, a, b, tolerance, length=None, count=2001):
     """All pieces have the error that they say, and it is within the tolerance."""
-    jet, high = jet_of(text), tolerance
-    largest = abs(polygon(jet, a, b, 2001)).max()
+    jet = jet_of(text)
+    largest = abs(polygon(jet, a, b, count)).max()
     place = HERE._replace(noise=4 * math.ulp(largest))
-    rows, reached, _ = spline(fit, jet, a, b, window(high, math.ulp(largest)), place)
+    rows, reached, _ = spline(fit, jet, a, b, window(tolerance, math.ulp(largest)), place, length=length)
     assert reached == b
     for row in rows:
         assert row[ERROR] <= tolerance
+        curve = polygon(jet, row[A], row[B], count)
         # chords leave circles by an eighth of the square of their angle
-        found = two_sided(polygon(jet, row[A], row[B], count), points_of(row, 2 * count))
-        assert found == pytest.approx(row[ERROR], rel=1e-3, abs=largest * 10 / count**2)
+        chords = 10 * np.ptp(curve, axis=0).max() / count**2
+        found = two_sided(curve, points_of(row, count))
+        assert found == pytest.approx(row[ERROR], rel=1e-3, abs=chords)
     return rows
 
 
-def test_spirals_of_many_turns_as_biarcs():
-    rows = check(biarcs.Biarc(), biarc_points, FADING, 0.0, 200 * math.pi, 0.03)
+@pytest.mark.parametrize(("a", "length"), [(0.0, None), (100.0, 260.0), (113.1, None)])
+def test_spirals_of_many_turns_as_biarcs(a, length):
+    rows = check(biarcs.Biarc(), biarc_points, FADING, a, 200 * math.pi, 0.03, length)
     assert (rows[:, B] - rows[:, A]).max() < 2 * math.pi  # the tangent turns like t
-    check(biarcs.Biarc(), biarc_points, GROWING, -628.0, 0.0, 1e-2)
+
+
+@pytest.mark.parametrize("length", [None, 300.0])
+def test_spirals_that_grow_as_biarcs(length):
+    rows = check(biarcs.Biarc(), biarc_points, GROWING, -628.0, 0.0, 1e-2, length)
+    assert (rows[:, B] - rows[:, A]).max() < 2 * math.pi
 
 
 @pytest.mark.parametrize("fit", [conics.Conic(), conics.Parabola()], ids=name_of)
