@@ -21,19 +21,18 @@ from rich.table import Table
 
 import osculant as osc
 from osculant.approximation.arcs import Arcs
-from osculant.approximation.coordinates import Coordinates
 from osculant.approximation.division import divide
 from osculant.approximation.fitting import Fitting
 from osculant.codegen.jets import compile_jet
 from osculant.curves.extent import extent
-from osculant.curves.space import SpaceCurve
-from osculant.kernels import bihelix_spline
-from osculant.kernels import search as greedy
-from osculant.kernels.curves.plane import JET_SIZE, sample_many
+from osculant.kernels import search
+from osculant.kernels.curves.jets import sample_many
+from osculant.kernels.curves.plane import JET_SIZE
 from osculant.primitives.table import PRIMITIVES, choose
 from osculant.tolerances import window
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
+CONE = ("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
 REPEATS = 400
 #: what the rows of the kernels are held to
 WANTED = {("conic", 1e-8): "2 µs, 30 samples", ("biarc", 1e-6): "10 µs"}
@@ -51,19 +50,21 @@ def median_seconds(job: Callable[[], object], repeats: int) -> float:
 
 
 class KernelRun:
-    """The greedy kernel on the spiral's one stretch, as `Fitting` calls it."""
+    """The greedy kernel on the one stretch of a spiral, in the plane or on a cone, as `Fitting` calls it."""
 
-    def __init__(self, primitive: str, tolerance: float, metric: str = "hausdorff") -> None:
-        self.curve = osc.curve(*SPIRAL)
-        fit, size = choose(primitive, metric), extent(self.curve)
+    def __init__(
+        self, primitive: str, tolerance: float, metric: str = "hausdorff", dimension: int = 2
+    ) -> None:
+        self.curve = osc.curve(*(SPIRAL if dimension == 2 else CONE))
+        fit, size = choose(primitive, metric, dimension=dimension), extent(self.curve)
         (part,) = Fitting(self.curve, fit, divide(self.curve, primitive), size).parts
         assert isinstance(part, Arcs)
-        self.table = np.empty((4096, greedy.COLUMNS))
-        self.job = part.job(*window(tolerance, size.rounding(fit.dimension)))
+        self.table = np.empty((8192, part.columns))
+        self.job = part.job(*window(tolerance, size.rounding(fit.degree)))
 
     def __call__(self, address: int | None = None) -> int:
         """Run once, on the compiled jet or on another one at ``address``; returns the pieces."""
-        count, _, _ = greedy.spline(*self.job._replace(address=address or self.job.address), self.table)
+        count, _, _ = search.spline(*self.job._replace(address=address or self.job.address), self.table)
         return int(count)
 
     def samples(self) -> int:
@@ -113,29 +114,17 @@ def area_rows() -> list[tuple[str, str, str]]:
     return rows
 
 
-def bihelix_row() -> tuple[str, str, str]:
-    """Time per bihelix of the conical spiral."""
-    curve = SpaceCurve("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
-    fit, (stretch,) = choose("bihelix", "hausdorff", dimension=3), divide(curve, "bihelix").stretches
-    size = extent(curve)
-    table = np.empty((4096, bihelix_spline.COLUMNS))
-    ends = [(*frame.point, *frame.tangent) for frame in (stretch.start, stretch.end)]
-    address, place = curve.compiled.address, Coordinates(curve, size).place()
-    low, high = window(1e-6, size.rounding())
-
-    def run() -> int:
-        found = bihelix_spline.spline(
-            fit.code, address, place, stretch.a, ends[0], stretch.b, ends[1], low, high, 0.0, table
-        )
-        return int(found[0])
-
-    pieces = run()
-    seconds = median_seconds(run, REPEATS // 4)
-    return (
-        f"conical spiral, 1e-06, {pieces} × bihelix: per piece",
-        f"{1e6 * seconds / pieces:.2f} µs",
-        "50 µs",
-    )
+def space_rows() -> list[tuple[str, str, str]]:
+    """Time and samples per piece of the spiral on a cone."""
+    rows = []
+    for primitive in PRIMITIVES[3]:
+        run = KernelRun(primitive, 1e-6, dimension=3)
+        pieces = run()
+        seconds = median_seconds(run, REPEATS // 4)
+        found = f"{1e6 * seconds / pieces:.2f} µs, {run.samples() / pieces:.1f} samples"
+        wanted = "50 µs" if primitive == "bihelix" else ""
+        rows.append((f"spiral on a cone, 1e-06, {pieces} × {primitive}: per piece", found, wanted))
+    return rows
 
 
 def jet_rows() -> list[tuple[str, str, str]]:
@@ -186,7 +175,7 @@ def main() -> None:
     for row in (
         *kernel_rows(),
         *area_rows(),
-        bihelix_row(),
+        *space_rows(),
         *jet_rows(),
         *new_formula_rows(),
         fresh_process_row(),

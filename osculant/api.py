@@ -55,7 +55,7 @@ def approximate(
             tangent, each piece turning by less than π, and by less than 2π where the curve is a circle);
             "best" chooses the one that takes the fewest numbers to store (`Spline.choice` tells them; of
             equals the first named here), with the knots that ``split`` demands; in space "bihelix" (two
-            helical arcs).
+            helical arcs); in both "polygon" (inscribed chords, whose pieces are not tangent).
         tolerance: the error allowed, 1e-6 unless ``pieces`` is given.
         pieces: a number of pieces instead of a tolerance: the least greatest error of a piece, for which all
             errors between two split points are equal.

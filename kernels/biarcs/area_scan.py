@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from osculant.kernels.biarcs.area_exchange import NOISE, strip
 from osculant.kernels.biarcs.family import Biarc, distance, family, is_proper, member, to_circle
 from osculant.kernels.biarcs.scan import LOPSIDED, SLACK, is_along, look
+from osculant.kernels.bracket import safeguarded
 from osculant.kernels.conics.scan import DEPTH, Space
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.gauss import NODES, SIZES, TAILS, WEIGHTS
@@ -54,13 +55,8 @@ def foot(arcs: Biarc, source: Source, t0: float, t1: float, accuracy: float) -> 
     for _ in range(VISITS):
         x, y, sx, sy, speed, _ = sample(source, t)
         value, slope = ahead(arcs, x, y), speed * (sx * arcs.tx1 + sy * arcs.ty1)
-        if value > 0.0:
-            t1 = t
-        else:
-            t0 = t
-        before, t = t, t - value / slope if slope > 0.0 else t0
-        if not t0 < t < t1:
-            t = 0.5 * (t0 + t1)
+        before = t
+        t, t0, t1 = safeguarded(t, -value / slope if slope > 0.0 else math.nan, value > 0.0, t0, t1)
         if abs(t - before) <= accuracy:
             break
     return t
@@ -79,13 +75,8 @@ def crossing(
         d, slope, _ = to_circle(arcs[k], arcs[k + 1], arcs[k + 2], arcs[k + 3], bend, x, y, sx, sy, curvature)
         if abs(d) <= source.place.noise:
             break
-        if (d > 0.0) == falling:
-            t0 = t
-        else:
-            t1 = t
-        before, t = t, t - d / (slope * speed) if slope != 0.0 else t0
-        if not t0 < t < t1:
-            t = 0.5 * (t0 + t1)
+        before, step = t, -d / (slope * speed) if slope != 0.0 else math.nan
+        t, t0, t1 = safeguarded(t, step, (d > 0.0) != falling, t0, t1)
         if abs(t - before) <= accuracy:
             break
     return t

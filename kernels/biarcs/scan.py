@@ -20,6 +20,7 @@ from osculant.kernels.biarcs.family import (
     is_short,
     member,
 )
+from osculant.kernels.bracket import safeguarded
 from osculant.kernels.conics.scan import DEPTH, Space, cubic_peak
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.jit import kernel
@@ -102,12 +103,8 @@ def extreme(
             gain = -0.5 * slope * slope / second
             if abs(gain) <= SETTLED * abs(d):
                 return d + gain
-        if (slope > 0.0) == rising:
-            t0 = t
-        else:
-            t1 = t
-        middle = t - slope / (second * speed) if bends else t0
-        t = middle if t0 < middle < t1 else 0.5 * (t0 + t1)
+        step = -slope / (second * speed) if bends else math.nan
+        t, t0, t1 = safeguarded(t, step, (slope > 0.0) != rising, t0, t1)
     return d
 
 

@@ -21,6 +21,7 @@ import math
 from typing import NamedTuple
 
 from osculant.kernels.bihelices.helix import SAME, Helix, short_helix, straight
+from osculant.kernels.bracket import safeguarded
 from osculant.kernels.curves.arc_length import Lengths, after
 from osculant.kernels.curves.space import Frame, Source, bends, sample
 from osculant.kernels.curves.vectors import Vector, combine, cross, dot, norm, scaled, subtract, unit
@@ -94,14 +95,9 @@ def nearest_to_curve(
         fall = dot(away, v)  # minus half the derivative of the squared distance
         across = combine(1.0, v, -dot(v, w), w)
         bend = dot(across, across) - dot(away, acceleration)
-        if fall > 0.0:
-            low = t
-        else:
-            high = t
-        new = t + fall / bend if bend > 0.0 else math.nan
-        if not (new >= low and new <= high):
-            new = 0.5 * (low + high)
-        step, t = new - t, new
+        before = t
+        t, low, high = safeguarded(t, fall / bend if bend > 0.0 else math.nan, not fall > 0.0, low, high)
+        step = t - before
         if abs(step) <= SETTLED * (b - a):
             break
     p = sample(source, t).point
@@ -146,15 +142,10 @@ def normal_plane(source: Source, a: float, b: float, p: Vector, tangent: Vector,
     for _ in range(STEPS):
         x, v, _ = sample(source, t)
         height = dot(subtract(x, p), tangent)
-        if height < 0.0:
-            low = t
-        else:
-            high = t
-        slope = dot(v, tangent)
-        new = t - height / slope if slope > 0.0 else math.nan
-        if not (new >= low and new <= high):
-            new = 0.5 * (low + high)
-        step, t = new - t, new
+        slope, before = dot(v, tangent), t
+        step = -height / slope if slope > 0.0 else math.nan
+        t, low, high = safeguarded(t, step, not height < 0.0, low, high)
+        step = t - before
         if abs(step) <= SETTLED * (b - a):
             break
     return t

@@ -15,6 +15,7 @@ import numpy as np
 from osculant.kernels.bihelices.family import Bihelix
 from osculant.kernels.bihelices.foot import foot
 from osculant.kernels.bihelices.helix import point_at
+from osculant.kernels.bracket import safeguarded
 from osculant.kernels.curves.space import Source, sample
 from osculant.kernels.curves.vectors import Vector, dot, norm, subtract
 from osculant.kernels.jit import kernel
@@ -79,14 +80,9 @@ def to_curve(source: Source, rows: np.ndarray[Any, Any], p: Vector) -> float:
         least = min(least, norm(away))
         fall = dot(away, v)
         bend = dot(v, v) - dot(away, acceleration)
-        if fall > 0.0:
-            low = t
-        else:
-            high = t
-        new = t + fall / bend if bend > 0.0 else math.nan
-        if not (new >= low and new <= high):
-            new = 0.5 * (low + high)
-        step, t = new - t, new
+        before = t
+        t, low, high = safeguarded(t, fall / bend if bend > 0.0 else math.nan, not fall > 0.0, low, high)
+        step = t - before
         if abs(step) <= SETTLED * width:
             break
     return min(least, norm(subtract(p, sample(source, t).point)))

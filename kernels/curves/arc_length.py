@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from osculant.kernels.bracket import safeguarded
 from osculant.kernels.curves.space import Source, sample
 from osculant.kernels.curves.vectors import norm
 from osculant.kernels.jit import kernel
@@ -84,14 +85,8 @@ def after(space: Lengths, a: float, b: float, length: float, sigma: float) -> fl
     x = 2.0 * length / sigma - 1.0
     for _ in range(STEPS):
         miss = series(space[2], degree + 1, x) - length
-        if miss < 0.0:
-            low = x
-        else:
-            high = x
-        new = x - miss / series(space[1], degree, x)
-        if not (new >= low and new <= high):
-            new = 0.5 * (low + high)
-        step, x = new - x, new
-        if abs(step) <= SETTLED:
+        before = x
+        x, low, high = safeguarded(x, -miss / series(space[1], degree, x), not miss < 0.0, low, high)
+        if abs(x - before) <= SETTLED:
             break
     return 0.5 * (a + b) + 0.5 * (b - a) * x

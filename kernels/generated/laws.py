@@ -18,9 +18,11 @@ CONIC_ORDER = 5
 BIARC_ORDER = 3
 BIHELIX_ORDER = 3
 LEVEL_BIHELIX_ORDER = 4
+POLYGON_ORDER = 2
 PARABOLA_AREA_ORDER = 5
 CONIC_AREA_ORDER = 6
 BIARC_AREA_ORDER = 4
+POLYGON_AREA_ORDER = 3
 BIHELIX_CONSTANT = 0.0030864197530864196  # 1/324
 LEVEL_BIHELIX_CONSTANT = 0.00017361111111111112  # 1/5760
 
@@ -59,6 +61,12 @@ def biarc_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: flo
 
 
 @kernel
+def polygon_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: float, y2: float, y3: float, y4: float, y5: float) -> float:
+    """Pieces of a polygon spline per unit of the parameter, times ε^(1/2)."""
+    return ((1.0 / 4.0))*math.sqrt(2.0)*math.sqrt(abs(x1*y2 - x2*y1))/((x1 * x1) + (y1 * y1))**((1.0 / 4.0))
+
+
+@kernel
 def parabola_area_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: float, y2: float, y3: float, y4: float, y5: float) -> float:
     """Pieces of a parabola spline per unit of the parameter, times a piece's area^(1/5)."""
     _v0 = (x1 * x1) + (y1 * y1)
@@ -89,3 +97,9 @@ def biarc_area_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1
     """Pieces of a biarc spline per unit of the parameter, times a piece's area^(1/4)."""
     _v0 = (x1 * x1) + (y1 * y1)
     return ((1.0 / 12.0))*math.sqrt(6.0)*abs(_v0*(x1*y3 - x3*y1) - (x1*x2 + y1*y2)*(3.0*x1*y2 - 3.0*x2*y1))**((1.0 / 4.0))/_v0**((1.0 / 4.0))
+
+
+@kernel
+def polygon_area_density(x1: float, x2: float, x3: float, x4: float, x5: float, y1: float, y2: float, y3: float, y4: float, y5: float) -> float:
+    """Pieces of a polygon spline per unit of the parameter, times a piece's area^(1/3)."""
+    return ((1.0 / 6.0))*18.0**((1.0 / 3.0))*abs(x1*y2 - x2*y1)**((1.0 / 3.0))

@@ -8,6 +8,7 @@ from osculant.cas.errors import DomainError
 from osculant.primitives.biarc import BIARC
 from osculant.primitives.bihelix import BIHELIX
 from osculant.primitives.conic import CONIC, PARABOLA
+from osculant.primitives.polygon import POLYGON, SPACE_POLYGON
 from osculant.primitives.primitive import METRICS, Fit, Primitive
 
 __all__ = [
@@ -37,7 +38,7 @@ def register(primitive: Primitive) -> None:
     table[primitive.name] = primitive
 
 
-for _primitive in (PARABOLA, CONIC, BIARC, BIHELIX):
+for _primitive in (PARABOLA, CONIC, BIARC, BIHELIX, POLYGON, SPACE_POLYGON):
     register(_primitive)
 
 
@@ -106,7 +107,7 @@ def usual_first(dimension: int) -> list[str]:
     """The names of the primitives for curves of a dimension, first what is taken if nothing is said.
 
     >>> usual_first(2), usual_first(3)
-    (['conic', 'parabola', 'biarc'], ['bihelix'])
+    (['conic', 'parabola', 'biarc', 'polygon'], ['bihelix', 'polygon'])
     """
     usual = USUAL[dimension]
     return [usual, *(name for name in PRIMITIVES[dimension] if name != usual)]

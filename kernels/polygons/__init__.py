@@ -1,0 +1,1 @@
+"""Inscribed polygons: the chords of arcs, in the plane and in space."""

@@ -1,0 +1,93 @@
+"""Inscribed polygons: chords between points of the curve, in the plane and in space."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from osculant.primitives import bihelix, conic
+from osculant.primitives.primitive import Primitive, user_point
+
+if TYPE_CHECKING:
+    from osculant.kernels.curves import plane, space
+    from osculant.pieces.conics import Piece
+    from osculant.pieces.helices import SpacePiece
+    from osculant.pieces.piece import Floats
+
+#: pieces touch the curve with their ends only, and their least number is among such
+INSCRIBED = "the fewest inscribed that were found"
+
+
+def chord(order: int) -> Any:
+    """The kernels' record of chords in the plane, by their Hausdorff distance."""
+    from osculant.kernels.polygons.records import Chord
+
+    return Chord()
+
+
+def chord_area(order: int) -> Any:
+    """The kernels' record of chords in the plane, by the area between."""
+    from osculant.kernels.polygons.records import ChordArea
+
+    return ChordArea()
+
+
+def space_chord(order: int) -> Any:
+    """The kernels' record of chords in space."""
+    from osculant.kernels.polygons.records import SpaceChord
+
+    return SpaceChord()
+
+
+def plane_piece(row: Floats, place: plane.Place, error: float) -> Piece:
+    """A row of the kernels' table (`kernels.polygons.records`) as a segment of the plane."""
+    from osculant.kernels.operations import SHAPE
+    from osculant.pieces.conics import Piece
+
+    a, b, *_ = row.tolist()
+    x0, y0, x1, y1 = row[SHAPE:].tolist()
+    return Piece.segment((a, b), user_point(place, x0, y0), user_point(place, x1, y1), error)
+
+
+def space_piece(row: Floats, place: space.Place, error: float) -> SpacePiece:
+    """A row of the kernels' table as a segment in space."""
+    from dataclasses import replace
+
+    from osculant.kernels.operations import SHAPE
+
+    a, b, *_ = row.tolist()
+    ends = row[SHAPE:].reshape(2, 3) / place.scale + (place.x, place.y, place.z)
+    start, end = (tuple(point) for point in ends.tolist())
+    return replace(bihelix.segment((a, b), start, end), error=error)
+
+
+POLYGON = Primitive(
+    name="polygon",
+    plural="polygons",
+    dimension=2,
+    arcs=("segment",),
+    methods={"hausdorff": {"inscribed": chord}, "area": {"inscribed": chord_area}},
+    theory=(),
+    itself=None,
+    minimal="unknown",
+    piece=plane_piece,
+    segment=conic.segment,
+    smooth=False,
+    fewest=INSCRIBED,
+)
+
+SPACE_POLYGON = Primitive(
+    name="polygon",
+    plural="polygons",
+    dimension=3,
+    arcs=("segment",),
+    methods={"hausdorff": {"inscribed": space_chord}},
+    theory=(),
+    itself=None,
+    minimal="unknown",
+    piece=space_piece,
+    segment=bihelix.segment,
+    splits=(),
+    monotone=False,
+    smooth=False,
+    fewest=INSCRIBED,
+)
