@@ -7,12 +7,16 @@ import pytest
 
 from osculant.kernels.biarcs import records as biarcs
 from osculant.kernels.conics import records as conics
-from osculant.kernels.operations import ERROR, A, B
+from osculant.kernels.operations import ERROR, SHAPE, A, B
+from osculant.kernels.polygons.records import Chord, SpaceChord
 from osculant.tolerances import window
-from tests.kernels.arcs import HERE, jet_of, name_of, spline
+from tests.kernels.arcs import HERE, SPACE, jet_of, name_of, spline
 from tests.kernels.bihelices.chains import BOTH, independent_error, spline_of
 from tests.kernels.distances import polygon, two_sided
 
+UNEVEN = pytest.mark.parametrize(
+    ("powers", "tolerance"), [((9, 18, 27), 1e-3), ((9, 18, 27), 1e-5), ((5, 10, 15), 1e-3)]
+)
 FADING, GROWING = "exp(-t/50)*cos(t), exp(-t/50)*sin(t)", "exp(t/50)*cos(t), exp(t/50)*sin(t)"
 
 
@@ -51,11 +55,17 @@ def conic_points(numbers, count):
     return top / (b0 + row.weight * b1 + b2)[:, None]
 
 
-def check(fit, points_of, text, a, b, tolerance, length=None, count=2001):
+def chord_points(row, count):
+    """The segment of a row, in the plane or in space."""
+    start, end = row[SHAPE:].reshape(2, -1)
+    return start + np.linspace(0, 1, count)[:, None] * (end - start)
+
+
+def check(fit, points_of, text, a, b, tolerance, length=None, count=2001, order=2, here=HERE):
     """All pieces have the error that they say, and it is within the tolerance."""
-    jet = jet_of(text)
+    jet = jet_of(text, order)
     largest = abs(polygon(jet, a, b, count)).max()
-    place = HERE._replace(noise=4 * math.ulp(largest))
+    place = here._replace(noise=4 * math.ulp(largest))
     rows, reached, _ = spline(fit, jet, a, b, window(tolerance, math.ulp(largest)), place, length=length)
     assert reached == b
     for row in rows:
@@ -86,9 +96,7 @@ def test_spirals_of_many_turns_as_conics(fit):
     assert (rows[:, B] - rows[:, A]).max() < 2 * math.pi
 
 
-@pytest.mark.parametrize(
-    ("powers", "tolerance"), [((9, 18, 27), 1e-3), ((9, 18, 27), 1e-5), ((5, 10, 15), 1e-3)]
-)
+@UNEVEN
 @BOTH
 def test_uneven_arcs_as_bihelices(powers, tolerance, rule):
     rows, jet = spline_of(", ".join(f"t^{power}" for power in powers), 0.1, 1.0, tolerance, rule)
@@ -105,3 +113,14 @@ def test_spirals_of_many_turns_as_bihelices(rule):
     for row in rows:
         assert row[ERROR] <= 0.03
         assert independent_error(row, jet, 8001) == pytest.approx(row[ERROR], rel=1e-3, abs=1e-6)
+
+
+def test_spirals_of_many_turns_as_polygons():
+    rows = check(Chord(), chord_points, FADING, 0.0, 200 * math.pi, 0.03)
+    assert (rows[:, B] - rows[:, A]).max() < 2 * math.pi
+
+
+@UNEVEN
+def test_uneven_arcs_as_polygons(powers, tolerance):
+    text = ", ".join(f"t^{power}" for power in powers)
+    check(SpaceChord(), chord_points, text, 0.1, 1.0, tolerance, count=8001, order=3, here=SPACE)
