@@ -60,7 +60,8 @@ def lay_out(fit: Any, address: int, place: Any, a: float, b: float, course: np.n
                 and abs(turned - fine_turned) <= AGREED * TURN
                 and abs(length - fine) <= AGREED * fine
             )
-            if not agreed and open_ends <= DEPTH and step > NARROWEST * (b - a):
+            wide = step > NARROWEST * (b - a) and middle > time and middle < end
+            if not agreed and open_ends <= DEPTH and wide:
                 new = pending[open_ends]
                 new[0], new[1], new[2] = middle, speed2, rate2
                 open_ends += 1

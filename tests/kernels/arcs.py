@@ -24,6 +24,7 @@ from osculant.kernels.conics.records import (
 from osculant.kernels.course import lay_out
 from osculant.kernels.curves import plane, space
 from osculant.kernels.jit import kernel
+from osculant.kernels.polygons.records import Chord, ChordArea
 
 #: what rounding does to coordinates of about 1
 NOISE = 4 * math.ulp(1.0)
@@ -32,9 +33,18 @@ HERE = plane.Place(0.0, 0.0, 1.0, 1.0, NOISE)
 MIRRORED = HERE._replace(side=-1.0)
 SPACE = space.Place(0.0, 0.0, 0.0, 1.0, NOISE / 2)
 
-#: fits in the plane, and those by area among them
-BY_AREA = (ParabolaArea(), EquisymmetricConic(), LeastAreaConic(), EquisymmetricBiarc())
-PLANE = (Parabola(), Conic(), Biarc(), *BY_AREA)
+#: all fits in the plane; as tuples they are equal, and told apart by their types or by `is`
+PLANE = (
+    Parabola(),
+    Conic(),
+    Biarc(),
+    Chord(),
+    ParabolaArea(),
+    EquisymmetricConic(),
+    LeastAreaConic(),
+    EquisymmetricBiarc(),
+    ChordArea(),
+)
 
 
 def name_of(fit: Any) -> str:

@@ -70,7 +70,10 @@ def test_an_arc_without_a_proper_piece_says_so():
 @pytest.mark.parametrize("level", [1e-3, 1e-6, 1e-9])
 def test_the_quick_count_is_a_lower_bound(fit, level):
     def pieces(high):
-        return len(spline(fit, SPIRAL, *ENDS, (high * (1 - 1e-6), high), PLACE, length=0.7)[0])
+        window = high * (1 - 1e-6), high
+        rows, reached, _ = spline(fit, SPIRAL, *ENDS, window, PLACE, capacity=50_000, length=0.7)
+        assert reached == ENDS[1]
+        return len(rows)
 
     call, course = stretch(fit, SPIRAL, *ENDS, PLACE), course_of(fit, SPIRAL, *ENDS, PLACE)
     count = counting.count_larger(*call, level, 0.7, course)

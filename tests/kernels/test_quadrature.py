@@ -21,6 +21,7 @@ from osculant.kernels.conics.records import (
     Parabola,
     ParabolaArea,
 )
+from osculant.kernels.polygons.records import Chord, ChordArea
 from osculant.kernels.quadrature import contents, predicted
 from tests.kernels.arcs import PLANE, jet_of, name_of
 
@@ -32,6 +33,8 @@ LAWS = {
     EquisymmetricConic: ("conic", "area"),
     LeastAreaConic: ("conic", "area"),
     EquisymmetricBiarc: ("biarc", "area"),
+    Chord: ("polygon", "hausdorff"),
+    ChordArea: ("polygon", "area"),
 }
 ALL = pytest.mark.parametrize("fit", PLANE, ids=name_of)
 SPIRAL = "t*cos(t), t*sin(t)"

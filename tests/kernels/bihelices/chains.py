@@ -4,16 +4,15 @@ import math
 
 import numpy as np
 import pytest
-from scipy.spatial import cKDTree
 
 from osculant.kernels.bihelices.family import EQUIOSCILLATING, THESIS
 from osculant.kernels.bihelices.helix import Helix
 from osculant.kernels.bihelices.records import END, LEFT, RIGHT, Bihelix
-from osculant.kernels.curves.jets import sample_many
-from osculant.kernels.curves.space import JET_SIZE, Place
+from osculant.kernels.curves.space import Place
 from osculant.kernels.operations import ERROR, A, B
 from osculant.tolerances import window
 from tests.kernels.arcs import SPACE, jet_of, spline
+from tests.kernels.distances import polygon, two_sided
 
 CONICAL, MOMENT = "t*cos(t), t*sin(t), t", "t, t^2, t^3"
 BOTH = pytest.mark.parametrize("rule", [THESIS, EQUIOSCILLATING])
@@ -54,27 +53,10 @@ def helix_points(helix, s):
     return points, along + np.cos(x) * out + np.sin(x) * side
 
 
-def distances(points, line):
-    """Distances of points from a polygon, through a tree of its corners."""
-    near = cKDTree(line).query(points)[1]
-    found = np.full(len(points), np.inf)
-    for shift in (-1, 0):
-        i = np.clip(near + shift, 0, len(line) - 2)
-        step = line[i + 1] - line[i]
-        along = np.clip(((points - line[i]) * step).sum(1) / (step * step).sum(1), 0, 1)
-        found = np.minimum(found, np.linalg.norm(points - line[i] - along[:, None] * step, axis=1))
-    return found
-
-
 def independent_error(row, jet, count):
     """The two-sided distance of curve and piece, between polygons of so many corners."""
-    times = np.linspace(row[A], row[B], count)
-    rows = np.empty((count, JET_SIZE))
-    sample_many(jet.address, times, rows)
-    curve = rows[:, ::4].copy()
     pieces = [helix_points(helix, np.linspace(0, helix.length, count // 2))[0] for helix in helices(row)]
-    line = np.vstack([pieces[0], pieces[1][1:]])
-    return max(distances(curve, line).max(), distances(line, curve).max())
+    return two_sided(polygon(jet, row[A], row[B], count), np.vstack([pieces[0], pieces[1][1:]]))
 
 
 def check_chain(table, jet):
