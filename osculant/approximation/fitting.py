@@ -197,4 +197,5 @@ def part_of(coordinates: Coordinates, fit: Fit, division: Division, stretch: Str
             return EXACT[itself.shape](coordinates, fit, stretch, division.proved)
         if division.proved:  # no error of a helix is measured
             return Helices(coordinates, fit, stretch)
-    return (UnsplitArcs if division.unsplit else Arcs)(coordinates, fit, stretch)
+    across = division.unsplit and fit.primitive.monotone  # elsewhere errors need not grow anyway
+    return (UnsplitArcs if across else Arcs)(coordinates, fit, stretch)
