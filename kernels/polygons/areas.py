@@ -27,16 +27,16 @@ def swept(source: Source, start: Frame, end: Frame, low: float, high: float) -> 
         rate = 0.5 * (high - low) * at.speed * (ux * at.ty - uy * at.tx)
         area += WEIGHTS[RULE, i] * rate
         tail += TAILS[RULE, i] * rate
-        beyond = max(beyond, (dx * uy - dy * ux) / length)
-    return area, abs(tail), beyond
+        beyond = max(beyond, dx * uy - dy * ux)
+    return area, abs(tail), beyond / length
 
 
 @kernel
 def measure(source: Source, a: float, start: Frame, b: float, end: Frame, points: int) -> float:
     """The area between the arc [a, b], which bends to the left, and its chord.
 
-    Infinite if the arc crosses the chord, or if the quadrature does not settle: an estimate, as accurate as
-    the last coefficients of its panels say.  ``points`` is the least number of nodes.
+    Infinite if the arc crosses the chord, if its ends coincide, or if the quadrature does not settle.  An
+    estimate, as accurate as the last coefficients of its panels say; ``points`` is the least number of nodes.
     """
     noise = NOISE * source.place.noise
     panels = max(1, points // SIZES[RULE])
@@ -45,7 +45,7 @@ def measure(source: Source, a: float, start: Frame, b: float, end: Frame, points
         for i in range(panels):
             low, high = a + (b - a) * i / panels, a + (b - a) * (i + 1) / panels
             part, tail, beyond = swept(source, start, end, low, high)
-            if beyond > noise:
+            if not beyond <= noise:
                 return math.inf
             area += part
             size = abs(end.x - start.x) + abs(end.y - start.y)

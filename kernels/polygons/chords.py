@@ -35,17 +35,16 @@ def rise(fit: Any, source: Any, start: Any, end: Any, t: Any) -> Any:
 
 
 @kernel
-def from_line(away: float, along: float, across: float, lean: float) -> Rise:
-    """The rise of a point ``away`` from something straight or a point.
+def risen(distance: float, slope: float, across: float, lean: float) -> Rise:
+    """The rise of a point that is w from the nearest point of the chord.
 
     Args:
-        away: its distance.
-        along: minus half the derivative of the square of the distance, over that: ⟨away, α̇⟩/|away|.
-        across: the square of the part of α̇ that changes the distance.
-        lean: ⟨away, α̈⟩/|away|.
+        distance: |w|.
+        slope: its derivative, ⟨w, α̇⟩/|w|.
+        across: |α̇|², beside the chord without the component along it.
+        lean: ⟨w, α̈⟩/|w|.
     """
-    second = lean + (across - along * along) / away if away > 0.0 else lean
-    return Rise(away, along, second)
+    return Rise(distance, slope, lean + (across - slope * slope) / distance)
 
 
 @kernel
@@ -62,8 +61,8 @@ def rise_in_the_plane(fit: Any, source: plane.Source, start: plane.Frame, end: p
         if reached > length:
             ux, uy = at.x - end.x, at.y - end.y
         away = math.sqrt(ux * ux + uy * uy)
-        along = at.speed * (ux * at.tx + uy * at.ty) / away
-        return from_line(away, along, at.speed * at.speed, bend * (uy * at.tx - ux * at.ty) / away)
+        slope = at.speed * (ux * at.tx + uy * at.ty) / away
+        return risen(away, slope, at.speed * at.speed, bend * (uy * at.tx - ux * at.ty) / away)
     height = cx * uy - cy * ux
     side = math.copysign(1.0, height)
     slope = side * at.speed * (cx * at.ty - cy * at.tx)
@@ -86,7 +85,7 @@ def rise_in_space(fit: Any, source: space.Source, start: space.Frame, end: space
     away = norm(u)
     if not away > 0.0:
         return Rise(0.0, norm(v), 0.0)
-    return from_line(away, dot(u, v) / away, dot(v, v), dot(u, at.acceleration) / away)
+    return risen(away, dot(u, v) / away, dot(v, v), dot(u, at.acceleration) / away)
 
 
 @kernel
@@ -130,7 +129,7 @@ def peak_between(fit: Any, source: Any, start: Any, end: Any, low: float, high: 
 def measure(fit: Any, source: Any, a: float, start: Any, b: float, end: Any, points: int) -> float:
     """The Hausdorff distance of the arc [a, b] and its chord, from ``points`` inner samples or more.
 
-    An estimate as far as the samples see each peak.
+    An estimate as far as the samples see each peak; infinite if the ends of the arc coincide.
     """
     step = (b - a) / (points + 1)
     top, before, here = 0.0, 0.0, rise(fit, source, start, end, a + step).distance
@@ -138,6 +137,8 @@ def measure(fit: Any, source: Any, a: float, start: Any, b: float, end: Any, poi
         after = 0.0
         if i < points:
             after = rise(fit, source, start, end, a + (i + 1) * step).distance
+        if not here < math.inf:  # there is no chord
+            return math.inf
         if here >= before and here >= after:
             t = a + i * step
             top = max(top, here, peak_between(fit, source, start, end, t - step, t + step))

@@ -106,6 +106,13 @@ def test_circles_turn_by_more_than_half_a_turn_for_large_tolerances():
     check(circle, spline)
 
 
+def test_a_loop_has_no_chord_of_no_length():
+    loop = osc.curve("t^2 - 1, t*(t^2 - 1)", -1, 1)
+    for metric in ("hausdorff", "area"):
+        spline = osc.approximate(loop, "polygon", 10.0, metric=metric, closed=False)
+        assert len(spline) > 1 and spline.error <= 10.0
+
+
 def test_polygons_are_no_candidates_of_the_best():
     best = osc.approximate(osc.curve(*SPIRAL), "best", 1e-1)
     assert "polygon" not in " ".join(best.choice)
