@@ -8,7 +8,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import osculant as osc
-from osculant.kernels.curves.plane import JET_SIZE, sample_many
+from osculant.kernels.curves.jets import sample_many
+from osculant.kernels.curves.plane import JET_SIZE
 from tests.oracles import hausdorff
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
