@@ -52,7 +52,7 @@ def in_50_digits(form):
 
 def agrees(function, exact, numbers, tolerance=1e-12):
     """Whether the printed function, interpreted, is as near to the exact one as that."""
-    got = function.py_func(*map(np.float64, numbers))
+    got = function.__wrapped__(*map(np.float64, numbers))
     got = got if isinstance(got, tuple) else (got,)
     pairs = zip(map(float, got), exact(*numbers), strict=True)
     return all(abs(x - y) <= tolerance * (1e-3 + abs(y)) for x, y in pairs)
@@ -171,7 +171,7 @@ def test_printed_displacement(q, numbers):
 @settings(max_examples=20, deadline=None)
 def test_printed_forms_of_the_pencil(name, numbers):
     function, exact = getattr(printed, name), pencil_forms()[name]
-    numbers = numbers[: len(inspect.signature(function.py_func).parameters)]
+    numbers = numbers[: len(inspect.signature(function.__wrapped__).parameters)]
     assert agrees(function, exact, numbers)
     for place in range(len(exact(*numbers))):
         assert not agrees(function, altered(exact, place), numbers)

@@ -142,7 +142,9 @@ def test_choices_that_do_not_exist():
         choose("cubic", "hausdorff")
     with pytest.raises(DomainError, match=r"^Bihelices approximate curves in space and t, t has two coord"):
         choose("bihelix", "hausdorff", curve="t, t")
-    with pytest.raises(DomainError, match=r"choose conic, parabola or biarc, or add a third coordinate"):
+    with pytest.raises(
+        DomainError, match=r"choose conic, parabola, biarc or polygon, or add a third coordinate"
+    ):
         choose("bihelix", "hausdorff")
     with pytest.raises(DomainError, match="approximated with bihelix, not 'conic': choose bihelix, or leave"):
         choose("conic", "hausdorff", dimension=3)
