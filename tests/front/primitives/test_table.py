@@ -146,7 +146,9 @@ def test_choices_that_do_not_exist():
         DomainError, match=r"choose conic, parabola, biarc or polygon, or add a third coordinate"
     ):
         choose("bihelix", "hausdorff")
-    with pytest.raises(DomainError, match="approximated with bihelix, not 'conic': choose bihelix, or leave"):
+    with pytest.raises(
+        DomainError, match="approximated with bihelix or polygon, not 'conic': choose bihelix or"
+    ):
         choose("conic", "hausdorff", dimension=3)
     with pytest.raises(DomainError, match="one of plane curves, and t, t, t has three coordinates"):
         choose("bihelix", "area", dimension=3, curve="t, t, t")
