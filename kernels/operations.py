@@ -76,6 +76,11 @@ def registered() -> Mapping[type, Mapping[str, Any]]:
 TURNING = 2.0 * math.pi - 0.05
 
 
+#: what fast steps have to come to for smooth errors: a correction that Newton's method squares, or the error
+#: of an area itself
+SETTLED, EXACT = 1e-9, 1e-12
+
+
 class Rules(NamedTuple):
     """How arcs are searched for.
 

@@ -20,8 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from osculant.kernels.biarcs.family import Biarc, family, is_proper, member
-from osculant.kernels.conics.exchange import LARGEST_MOVE, MARGIN
-from osculant.kernels.conics.scan import Space
+from osculant.kernels.curves.peaks import Space, within_reason
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.gauss import NODES, SIZES, TAILS, WEIGHTS
 from osculant.kernels.jit import kernel
@@ -105,7 +104,7 @@ def swept(arcs: Biarc, late: bool, rule: int, rows: np.ndarray[Any, Any], first:
 @kernel
 def within(place: float, step: float) -> float:
     """A place after a step, kept within reason."""
-    return min(1.0 - MARGIN, max(MARGIN, place + min(LARGEST_MOVE, max(-LARGEST_MOVE, step))))
+    return within_reason(place, step)
 
 
 @kernel

@@ -14,7 +14,7 @@ from osculant.kernels.biarcs.area_exchange import NOISE, strip
 from osculant.kernels.biarcs.family import Biarc, distance, family, is_proper, member, to_circle
 from osculant.kernels.biarcs.scan import LOPSIDED, SLACK, is_along, look
 from osculant.kernels.bracket import safeguarded
-from osculant.kernels.conics.scan import DEPTH, Space
+from osculant.kernels.curves.peaks import DEPTH, Space
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.gauss import NODES, SIZES, TAILS, WEIGHTS
 from osculant.kernels.jit import kernel

@@ -12,8 +12,7 @@ import math
 from typing import Any, NamedTuple
 
 from osculant.kernels.biarcs.family import distance, family, is_proper, member
-from osculant.kernels.conics.exchange import LARGEST_MOVE, MARGIN
-from osculant.kernels.conics.scan import Space
+from osculant.kernels.curves.peaks import Space, within_reason
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.jit import kernel
 
@@ -44,9 +43,7 @@ def peak(d: float, slope: float, second: float) -> float:
 @kernel
 def place(x: float, slope: float, second: float, d: float, length: float) -> float:
     """The peak's place after one Newton step, kept within reason; ``length`` is speed times b − a."""
-    if second * d < 0.0:
-        x -= min(LARGEST_MOVE, max(-LARGEST_MOVE, slope / (second * length)))
-    return min(1.0 - MARGIN, max(MARGIN, x))
+    return within_reason(x, -slope / (second * length) if second * d < 0.0 else 0.0)
 
 
 @kernel

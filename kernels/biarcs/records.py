@@ -9,11 +9,11 @@ import numpy as np
 from osculant.kernels.biarcs import area_exchange, area_scan, exchange, scan
 from osculant.kernels.biarcs.family import Biarc as Arcs
 from osculant.kernels.biarcs.family import family, member
-from osculant.kernels.conics.scan import workspace
+from osculant.kernels.curves.peaks import workspace
 from osculant.kernels.curves.plane import IN_THE_PLANE, Frame, Source
 from osculant.kernels.generated import laws
 from osculant.kernels.jit import kernel
-from osculant.kernels.operations import SHAPE, Rules, register
+from osculant.kernels.operations import EXACT, SETTLED, SHAPE, Rules, register
 from osculant.kernels.quadrature import by_law
 
 
@@ -59,9 +59,6 @@ def record(fit: Any, row: np.ndarray[Any, Any], mu: float, start: Frame, end: Fr
     """Write the shape of the member μ."""
     write_shape(row, mu, member(family(start, end), mu))
 
-
-#: what fast steps have to come to: a correction that Newton's method squares, or the error of an area itself
-SETTLED, EXACT = 1e-9, 1e-12
 
 ALIKE = {**IN_THE_PLANE, "workspace": workspace, "record": record}
 

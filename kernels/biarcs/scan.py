@@ -21,7 +21,7 @@ from osculant.kernels.biarcs.family import (
     member,
 )
 from osculant.kernels.bracket import safeguarded
-from osculant.kernels.conics.scan import DEPTH, Space, cubic_peak
+from osculant.kernels.curves.peaks import DEPTH, Space, cubic_peak
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.jit import kernel
 

@@ -12,7 +12,6 @@ import math
 from typing import Any
 
 from osculant.kernels.conics.pencil import Pencil, is_proper, parabola, pencil, through, view, weight
-from osculant.kernels.conics.scan import Space
 from osculant.kernels.conics.strip import (
     BY_Q,
     BY_SERIES,
@@ -26,6 +25,7 @@ from osculant.kernels.conics.strip import (
     through_node,
 )
 from osculant.kernels.conics.strip_series import COUNTS, NODES, WEIGHTS, evaluate, expand, tail, unsigned
+from osculant.kernels.curves.peaks import Space
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.jit import kernel
 

@@ -14,11 +14,9 @@ from typing import Any, NamedTuple
 from osculant.kernels.conics.area_exchange import WHOLE
 from osculant.kernels.conics.pencil import Pencil, is_flat, is_proper, parabola, pencil, weight
 from osculant.kernels.conics.scan import (
-    DEPTH,
     LARGEST_PART,
     LARGEST_TURN,
     TOLD,
-    Space,
     look,
     members_through,
 )
@@ -35,6 +33,7 @@ from osculant.kernels.conics.strip import (
     through_node,
 )
 from osculant.kernels.conics.strip_series import COUNTS, WEIGHTS, expand, tail, unsigned
+from osculant.kernels.curves.peaks import DEPTH, Space
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.jit import kernel
 

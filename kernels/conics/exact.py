@@ -8,7 +8,8 @@ import numpy as np
 
 from osculant.kernels.conics import records
 from osculant.kernels.conics.pencil import pencil, through, view
-from osculant.kernels.conics.scan import measure, workspace
+from osculant.kernels.conics.scan import measure
+from osculant.kernels.curves.peaks import workspace
 from osculant.kernels.curves.plane import Frame, Place, frame, source_of
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import ERROR, REASON, A, B

@@ -23,7 +23,7 @@ from osculant.kernels.conics.pencil import (
     view,
     weight,
 )
-from osculant.kernels.conics.scan import Space
+from osculant.kernels.curves.peaks import Space, within_reason
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
@@ -53,8 +53,6 @@ class Peaks(NamedTuple):
 Q_STEPS = 12
 #: a Newton step of Q this small, in parts of its bracket, is the last: d is nearly linear in Q there
 Q_ACCURACY = 1e-4
-#: a peak moves at most this part of the arc at once, and stays inside these margins
-LARGEST_MOVE, MARGIN = 0.1, 0.01
 #: believable sharpnesses
 FLATTEST, SHARPEST = 4.0, 2000.0
 #: moves smaller than this say nothing about the sharpness
@@ -96,9 +94,7 @@ def peak(d: float, slope: float, sharpness: float) -> float:
 @kernel
 def moved(x: float, d: float, slope: float, sharpness: float) -> float:
     """The peak's place after one Newton step, kept within reason."""
-    step = slope / (sharpness * d)
-    step = min(LARGEST_MOVE, max(-LARGEST_MOVE, step))
-    return min(1.0 - MARGIN, max(MARGIN, x + step))
+    return within_reason(x, slope / (sharpness * d))
 
 
 @kernel

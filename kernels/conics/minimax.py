@@ -6,7 +6,8 @@ import math
 from typing import Any
 
 from osculant.kernels.conics.pencil import Pencil, is_flat, is_proper, parabola, pencil, weight
-from osculant.kernels.conics.scan import Space, extremes, look, measure, members_through
+from osculant.kernels.conics.scan import extremes, look, measure, members_through
+from osculant.kernels.curves.peaks import Space
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.jit import kernel
 

@@ -8,11 +8,12 @@ import numpy as np
 
 from osculant.kernels.conics import area_exchange, area_scan, exchange, minimax, scan
 from osculant.kernels.conics.pencil import pencil
+from osculant.kernels.curves.peaks import workspace
 from osculant.kernels.curves.plane import IN_THE_PLANE, Frame, Source
 from osculant.kernels.generated import laws
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
-from osculant.kernels.operations import SHAPE, Rules, register
+from osculant.kernels.operations import EXACT, SETTLED, SHAPE, Rules, register
 from osculant.kernels.quadrature import by_law
 
 
@@ -70,10 +71,7 @@ def record(fit: Any, row: np.ndarray[Any, Any], q: float, start: Frame, end: Fra
     row[SHAPE + 5], row[SHAPE + 6], row[SHAPE + 7], row[SHAPE + 8] = end.x, end.y, w, reach
 
 
-#: what fast steps have to come to: a correction that Newton's method squares, or the error of an area itself
-SETTLED, EXACT = 1e-9, 1e-12
-
-ALIKE = {**IN_THE_PLANE, "workspace": scan.workspace, "record": record}
+ALIKE = {**IN_THE_PLANE, "workspace": workspace, "record": record}
 BY_DISTANCE = {**ALIKE, "renew": exchange.unvisited, "confirm": scan.confirm}
 BY_AREA = {**ALIKE, "begin": area_exchange.first_level, "confirm": area_scan.confirm}
 

@@ -11,32 +11,19 @@ from typing import Any
 import numpy as np
 
 from osculant.kernels.conics.pencil import Pencil, View, displacement, pencil, through, view, within_noise
+from osculant.kernels.curves.peaks import DEPTH, MARGIN, ROW_SIZE, Space, cubic_peak
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.jit import kernel
 
-#: numbers of a row: a `View` and its parameter value
-ROW_SIZE = 12
-#: rows for views
-ROWS = 400
-#: (rows for views, stack for intervals): what `workspace` makes
-Space = tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]
 #: neighbouring samples whose tangents differ by more than this angle, or by more than this part of the arc's
 #: whole turning if that can be told from rounding, get one between them …
 LARGEST_TURN, LARGEST_PART, TOLD = 0.35, 0.3, 1e-10
 #: … and so do those at whose feet conic and curve differ by angles further apart (tangent of the angle)
 LARGEST_LEAN = 0.5
-#: intervals are cut in two at most this often, one within the other, and in all between two samples
-DEPTH, CUTS = 40, 100
+#: intervals are cut in two at most this often in all between two samples
+CUTS = 100
 #: visits of one peak at most, and the relative correction of its height that ends them
 VISITS, SETTLED = 8, 1e-7
-#: a peak is not sought nearer than this to an end of its interval, in parts of it
-MARGIN = 0.01
-
-
-@kernel
-def workspace(fit: Any) -> Space:
-    """Scratch space for the functions of this module, made once per spline."""
-    return np.empty((ROWS, ROW_SIZE)), np.empty((DEPTH, 4))
 
 
 @kernel
@@ -108,21 +95,6 @@ def members_through(pen: Pencil, space: Space, count: int) -> tuple[float, float
             return 0.0, 0.0
         low, high = min(low, q), max(high, q)
     return (low, high) if high > 0.0 else (0.0, 0.0)
-
-
-@kernel
-def cubic_peak(d0: float, s0: float, d1: float, s1: float) -> tuple[float, float]:
-    """(u, second derivative there) of the extreme in (0, 1) of the cubic with these ends and slopes."""
-    b = 3.0 * (d1 - d0) - 2.0 * s0 - s1
-    c = s0 + s1 - 2.0 * (d1 - d0)
-    # the derivative s0 + 2bu + 3cu² vanishes; the larger root in magnitude first, the other by Vieta
-    below = -(b + math.copysign(math.sqrt(max(0.0, b * b - 3.0 * c * s0)), b))
-    u = s0 / below if below != 0.0 else 0.5
-    if not 0.0 < u < 1.0:
-        u = below / (3.0 * c) if c != 0.0 else 0.5
-    if not 0.0 < u < 1.0:
-        u = 0.5
-    return u, 2.0 * b + 6.0 * c * u
 
 
 @kernel

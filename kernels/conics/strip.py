@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from osculant.kernels.conics.pencil import Pencil, view
-from osculant.kernels.conics.scan import Space
 from osculant.kernels.conics.strip_series import COUNTS, MOST, POINTS
+from osculant.kernels.curves.peaks import Space
 from osculant.kernels.curves.plane import Source
 from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel

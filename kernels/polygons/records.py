@@ -10,14 +10,12 @@ import numpy as np
 from osculant.kernels.curves import plane, space
 from osculant.kernels.generated import laws
 from osculant.kernels.jit import kernel
-from osculant.kernels.operations import SHAPE, Rules, register
+from osculant.kernels.operations import EXACT, SETTLED, SHAPE, Rules, register
 from osculant.kernels.polygons import areas, chords
 from osculant.kernels.quadrature import by_law
 
 #: the dimension of the coordinates, the start and then the end, which a row has from `SHAPE` on
 PLANE, SPACE = 2, 3
-#: what fast steps have to come to: a correction that Newton's method squares, or the error of an area itself
-SETTLED, EXACT = 1e-9, 1e-12
 
 
 class Chord(NamedTuple):

@@ -17,9 +17,10 @@ FAMILIES = ("conics", "biarcs", "bihelices", "polygons", "curves")
 #: files, and the families whose machine code they are part of
 TOUCHED = {
     "conics/minimax.py": {"conics"},
-    "conics/scan.py": {"conics", "biarcs"},
+    "conics/scan.py": {"conics"},
     "biarcs/family.py": {"biarcs"},
     "bihelices/foot.py": {"bihelices"},
+    "curves/peaks.py": {"conics", "biarcs", "curves"},
     "curves/plane.py": {"conics", "biarcs", "polygons", "curves"},
     "curves/space.py": {"bihelices", "polygons", "curves"},
     "generated/laws.py": {"conics", "biarcs", "polygons"},
@@ -50,15 +51,16 @@ import numpy as np
 from osculant.codegen.jets import compile_jet
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.kernels import course, jit, quadrature
-from osculant.kernels.conics import pencil, scan
+from osculant.kernels.conics import pencil
 from osculant.kernels.conics.records import Conic
+
 from osculant.kernels.curves.plane import Frame, Place
 jit.when_compiling(lambda: print("compiling"))
 jet, table = compile_jet(parse_tuple("t, t^2 + t^3"), 5), np.empty((99, 3))
 second = compile_jet(parse_tuple("t, t^2 + t^3"), 2)
 count = course.lay_out(Conic(), second.address, Place(0.0, 0.0, 1.0, 1.0, 1e-15), 0.0, 1.0, table)
 print(count, course.turns(table[:count], 0.0, 1.0), course.resolving(table[:count], 0.0, 1.0, 8))
-print(quadrature.predicted(Conic(), jet.address, 1.0, 0.0, 1.0), scan.workspace(Conic())[0].shape)
+print(quadrature.predicted(Conic(), jet.address, 1.0, 0.0, 1.0))
 print(pencil.pencil(Frame(0.0, 0.0, 1.0, 0.0), Frame(1.0, 1.0, 0.0, 1.0), 1e-15))
 """
 

@@ -16,7 +16,7 @@ from osculant.cas.numbers.roots import root_between
 from osculant.kernels.biarcs import area_exchange, area_scan, scan
 from osculant.kernels.biarcs.family import Biarc, family, is_short, member
 from osculant.kernels.biarcs.records import EquisymmetricBiarc
-from osculant.kernels.conics.scan import workspace
+from osculant.kernels.curves.peaks import workspace
 from osculant.kernels.curves.plane import Frame
 from tests.kernels import arcs
 from tests.kernels.arcs import HERE, MIRRORED, NOISE, jet_of, visit

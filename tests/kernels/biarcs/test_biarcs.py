@@ -13,7 +13,7 @@ from osculant.cas.geometry import biarcs as reference
 from osculant.kernels.biarcs import family as biarc
 from osculant.kernels.biarcs import scan
 from osculant.kernels.biarcs.records import Biarc
-from osculant.kernels.conics.scan import workspace
+from osculant.kernels.curves.peaks import workspace
 from osculant.kernels.curves.plane import Frame, sample
 from tests.kernels.arcs import HERE, MIRRORED, arc, jet_of, spline, visit
 from tests.kernels.arcs import best as best_of

@@ -10,9 +10,10 @@ from mpmath import mp
 
 from osculant.cas.geometry import moons
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
-from osculant.kernels.conics import area_scan, scan, strip_series
+from osculant.kernels.conics import area_scan, strip_series
 from osculant.kernels.conics import pencil as pencils
 from osculant.kernels.conics.records import EquisymmetricConic, LeastAreaConic, ParabolaArea
+from osculant.kernels.curves.peaks import workspace
 from osculant.kernels.curves.plane import sample
 from osculant.kernels.generated import pencil as generated
 from tests.kernels.arcs import HERE, MIRRORED, NOISE, arc, best, jet_of, name_of, visit
@@ -47,7 +48,7 @@ def pencil_of(jet, a, b, place=HERE):
 
 def measured(pencil, q, source, a, b):
     """The area of the member Q."""
-    return area_scan.measure(pencil, q, source, a, b, scan.workspace(LEAST))
+    return area_scan.measure(pencil, q, source, a, b, workspace(LEAST))
 
 
 def conic_points(pencil, q, u):

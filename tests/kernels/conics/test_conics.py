@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from osculant.kernels.conics import pencil as pencils
 from osculant.kernels.conics import scan
 from osculant.kernels.conics.records import Conic, Parabola
+from osculant.kernels.curves.peaks import workspace
 from osculant.kernels.curves.plane import sample
 from tests.kernels.arcs import HERE, MIRRORED, NOISE, arc, best, jet_of, name_of, spline, visit
 
@@ -101,7 +102,7 @@ def test_a_sharp_bend_between_samples_is_found():
     q = pencils.parabola(pencil)
     assert max(map(abs, grid_error(source, pencil, q, a, b, 40001))) > 0.44
     assert max(map(abs, grid_error(source, pencil, q, a, b, 10))) < 0.1
-    assert scan.measure(pencil, q, source, a, b, 8, scan.workspace(Parabola())) > 0.44
+    assert scan.measure(pencil, q, source, a, b, 8, workspace(Parabola())) > 0.44
     assert best(Parabola(), on)[0] > 0.44
 
 
