@@ -33,7 +33,7 @@ def count_larger(
     Arguments as of `search.spline`; errors have to grow with arcs.  The pieces are not measured again: one
     that is too long leaves fewer.
     """
-    curve, space = source(fit, address, place), workspace(fit)
+    curve, space = source(fit, address, place, course), workspace(fit)
     rule = rules(fit)
     low, high = LARGER * high, LARGEST * high
     exponent, state = rule.order, begin(fit)

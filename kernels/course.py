@@ -2,45 +2,58 @@
 
 Samples of one arc cannot tell whole turns apart, nor whether the curve is somewhere else between them.  So
 the course of a stretch is laid out once, from as many samples as it takes for turning and length to come out
-the same in two ways, and says of every arc how far it turns and how many samples resolve it.
+the same in two ways, and says of every arc how far it turns and how many samples resolve it.  Its rows are
+close where the curve does something: samples that are even in rows miss none of it.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import pace, source
 
-#: panels of a stretch at first; how many of them are kept open, and the part of the stretch that is not
-#: halved any more; rows at most
-PANELS, DEPTH, NARROWEST, MOST = 16, 40, 2.0**-40, 200_000
+#: how many panels are kept open, and the part of the stretch that is not halved any more; rows at most
+DEPTH, NARROWEST, MOST = 40, 2.0**-40, 200_000
 #: most that a panel may turn, and its turning and its length may differ, in radians and in parts, between
 #: Simpson's rule on the whole and on its halves
 TURN, AGREED = 0.5, 0.05
 #: equidistant samples resolve an arc that is as uneven as this, and more do in proportion to the unevenness
 UNEVEN, MOST_POINTS = 3.0, 400
+#: samples that are even in rows: so many in each at least
+PER_ROW = 2.0
 #: columns of a course
 TIME, TURNED, LENGTH = 0, 1, 2
 
 
 @kernel
-def lay_out(fit: Any, address: int, place: Any, a: float, b: float, course: np.ndarray[Any, Any]) -> int:
-    """Fill ``course`` (capacity, 3) with the parameter, turning and length from a, from a to b.
+def lay_out(
+    fit: Any, address: int, place: Any, edges: np.ndarray[Any, Any], course: np.ndarray[Any, Any]
+) -> int:
+    """Fill ``course`` (capacity, 3) with the parameter, turning and length along a stretch.
+
+    Args:
+        fit: a record (`osculant.kernels.operations`).
+        address: of the curve's compiled jet.
+        place: of the kernel's coordinates.
+        edges: increasing parameters from one end of the stretch to the other (m + 1,): panels that are halved
+            until turning and length are known, and that rows lie at in any case.
+        course: to be filled.
 
     Returns the number of rows, or −1 if the capacity does not suffice.
     """
-    curve = source(fit, address, place)
+    curve = source(fit, address, place, course)
+    a, b = edges[0], edges[edges.shape[0] - 1]
     pending = np.empty((DEPTH + 2, 3))
     course[0, TIME], course[0, TURNED], course[0, LENGTH] = a, 0.0, 0.0
     count = 1
     time = a
     speed, rate = pace(fit, curve, a)
-    for i in range(1, PANELS + 1):
-        end = b if i == PANELS else a + (b - a) * i / PANELS
+    for i in range(1, edges.shape[0]):
+        end = edges[i]
         end_speed, end_rate = pace(fit, curve, end)
         pending[0, 0], pending[0, 1], pending[0, 2] = end, end_speed, end_rate
         open_ends = 1
@@ -141,3 +154,58 @@ def resolving(course: np.ndarray[Any, Any], a: float, b: float, points: int) -> 
             uneven = max(uneven, (course[i + 1, TURNED] - course[i, TURNED]) / (turned * part))
         i += 1
     return min(max(points, MOST_POINTS), int(points * max(1.0, uneven / UNEVEN)))
+
+
+class Spots(NamedTuple):
+    """Where samples of an arc are: ``steps`` + 1 places even in rows of the course, both ends among them."""
+
+    a: float
+    b: float
+    first: float
+    last: float
+    steps: int
+
+
+@kernel
+def equidistant(a: float, b: float, steps: int) -> Spots:
+    """Samples of [a, b] that see no more than they happen to see."""
+    return Spots(a, b, 0.0, 0.0, steps)
+
+
+@kernel
+def in_one_row(at: Spots) -> bool:
+    """Whether the course tells nothing of an arc that equidistant samples do not see."""
+    return at.first == at.last or math.ceil(at.last) - math.floor(at.first) <= 1.0
+
+
+@kernel
+def row_at(course: np.ndarray[Any, Any], t: float) -> float:
+    """The place of t in rows."""
+    i = row_before(course, TIME, t)
+    low, high = course[i, TIME], course[i + 1, TIME]
+    return float(i + (t - low) / (high - low))
+
+
+@kernel
+def spots(course: np.ndarray[Any, Any], a: float, b: float, points: int) -> Spots:
+    """Samples that see all that the course tells of the arc [a, b], at least ``points`` between its ends.
+
+    Without a course, one of no rows, they are equidistant.
+    """
+    if course.shape[0] < 2:
+        return equidistant(a, b, points + 1)
+    first, last = row_at(course, a), row_at(course, b)
+    return Spots(a, b, first, last, max(points + 1, math.ceil(PER_ROW * (last - first))))
+
+
+@kernel
+def spot(course: np.ndarray[Any, Any], at: Spots, i: int) -> float:
+    """The parameter of the sample i, from 0 to ``at.steps``."""
+    if i == 0 or i == at.steps:
+        return at.a if i == 0 else at.b
+    if at.first == at.last:
+        return at.a + (at.b - at.a) * i / at.steps
+    place = at.first + (at.last - at.first) * i / at.steps
+    row = min(int(place), course.shape[0] - 2)
+    low, high = course[row, TIME], course[row + 1, TIME]
+    return float(min(at.b, max(at.a, low + (place - row) * (high - low))))

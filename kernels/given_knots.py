@@ -90,7 +90,7 @@ def fit_arcs(
 
     Errors are those of `best`, as smooth in the knots as rounding permits.
     """
-    curve, space = source(fit, address, place), workspace(fit)
+    curve, space = source(fit, address, place, course), workspace(fit)
     state = begin(fit)
     count = knots.shape[0] - 1
     stop = knots[count]

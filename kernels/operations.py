@@ -118,8 +118,11 @@ def rules(fit: Any) -> Any:
 
 
 @operation
-def source(fit: Any, address: Any, place: Any) -> Any:
-    """What samples the curve whose compiled jet is at the address, in the coordinates of the place."""
+def source(fit: Any, address: Any, place: Any, course: Any) -> Any:
+    """What samples the curve whose compiled jet is at the address, in the coordinates of the place.
+
+    The course (`osculant.kernels.course`) is that of the stretch.
+    """
 
 
 @operation

@@ -212,7 +212,7 @@ def spline(
         (pieces, where the last one ends, careful searches); the last one ends before ``stop`` if the table is
         full or if nothing can be found there.
     """
-    curve, space = source(fit, address, place), workspace(fit)
+    curve, space = source(fit, address, place, course), workspace(fit)
     exponent, state = rules(fit).order, begin(fit)
     searches = 0
     previous = math.nan

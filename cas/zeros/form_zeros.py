@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from typing import Any, Generic, TypeVar
 
 from flint import arb
@@ -17,6 +18,7 @@ from flint import arb
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import Node
 from osculant.cas.numbers.balls import PRECISION, FormulaBalls, ball, constant, padded, precision
+from osculant.cas.numbers.parts import polynomial_parts
 from osculant.cas.zeros.isolate import (
     SMALLEST,
     Box,
@@ -41,6 +43,8 @@ NEAR = 256
 SAME = 2.0**-60
 #: probes that may show that a form does not vanish identically
 PROBES = ("0.38196601", "0.61803399", "0.14589803", "0.85410197", "0.5278640")
+#: features of the curve that are larger than this part of it have a probe of their own
+HIDDEN = 2.0**-40
 
 Jet = TypeVar("Jet")
 
@@ -93,7 +97,8 @@ class FormZeros(Generic[Jet]):
     def vanishes(self, name: str, low: Any, high: Any) -> bool:
         """Whether a form seems to vanish identically: its balls contain 0 at every probe, to 600 digits.
 
-        False is a proof; True asks for a symbolic one.
+        So they do where the curve has its features, if only in places.  False is a proof; True asks for a
+        symbolic one.
         """
         for bits in (PRECISION, 2048):
             with precision(bits):
@@ -104,7 +109,22 @@ class FormZeros(Generic[Jet]):
                         raise DomainError(undefined(self.curve, t, t, ()))
                     if not series[0].contains(0):
                         return False
-        return True
+        return all(self._is_zero(name, t) for t in self._features(low, high))
+
+    def _is_zero(self, name: str, t: float) -> bool:
+        """Whether the form cannot be told from 0 at a double."""
+        with precision(PRECISION):
+            series = self.series(name, arb(t), 1)
+            return series is None or series[0].contains(0)
+
+    def _features(self, low: Any, high: Any) -> list[float]:
+        """The middles of the curve's parts, the narrowest first."""
+        a, b = float(low.mid()), float(high.mid())
+        with precision(PRECISION):
+            points = (row[0] for t in (low, high) for row in self.curve.coefficients(arb(t.mid()), 0))
+            largest = max(float(abs(x).upper()) for x in points if x.is_finite())
+        parts = pairwise(polynomial_parts(self.curve, a, b, HIDDEN * (largest or 1.0)))
+        return [(start + end) / 2 for start, end in sorted(parts, key=lambda part: part[1] - part[0])]
 
     def require_finite(self, low: Node, high: Node, names: Sequence[str]) -> None:
         """Raises DomainError, naming the parameter, unless the named forms are finite on [low, high]."""

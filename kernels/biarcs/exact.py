@@ -8,7 +8,7 @@ import numpy as np
 
 from osculant.kernels.biarcs.family import Biarc, to_circle
 from osculant.kernels.biarcs.records import write_shape
-from osculant.kernels.curves.plane import Frame, Place, frame, sample, source_of
+from osculant.kernels.curves.plane import Frame, Place, alone, frame, sample
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import ERROR, REASON, A, B
 from osculant.kernels.search import ENDS_AT_STRETCH
@@ -34,7 +34,7 @@ def circles_along(
         bend: the circle's curvature.
         table: rows; their error is how far the curve is from the circle.
     """
-    source = source_of(0, address, place)
+    source = alone(address, place)
     count = knots.shape[0] - 1
     for i in range(count):
         a, b = knots[i], knots[i + 1]

@@ -19,7 +19,7 @@ from osculant.kernels.bihelices.family import (
 )
 from osculant.kernels.bihelices.hausdorff import two_sided
 from osculant.kernels.bihelices.helix import SAME
-from osculant.kernels.bihelices.scan import peaks
+from osculant.kernels.bihelices.scan import all_peaks, peaks
 from osculant.kernels.curves.arc_length import Lengths, measure_lengths
 from osculant.kernels.curves.space import Frame, Source
 from osculant.kernels.curves.vectors import cross, norm, subtract
@@ -184,6 +184,15 @@ def two_of(
 
 
 @kernel
+def with_all_peaks(source: Source, a: float, b: float, seen: Assessed, points: int) -> Assessed:
+    """A bihelix with the peaks that only the course of the curve tells of, too."""
+    if not math.isfinite(max(seen.left, seen.right)):
+        return seen
+    left, right, trusted = all_peaks(source, a, b, seen.two, points, seen.left, seen.right, seen.trusted)
+    return Assessed(left, right, trusted, seen.two)
+
+
+@kernel
 def balanced(
     rule: int, source: Source, a: float, start: Frame, b: float, end: Frame,
     v: float, calm: float, points: int, lengths: Lengths,
@@ -193,6 +202,7 @@ def balanced(
     Where the feet do not move along the bihelix in order, the error is searched with more care.
     """
     seen, v = two_of(rule, source, a, start, b, end, v, calm, points, lengths)
+    seen = with_all_peaks(source, a, b, seen, points)
     error = max(seen.left, seen.right)
     if not seen.trusted and math.isfinite(error):
         error = two_sided(source, a, b, measure_lengths(source, a, b, lengths), seen.two)

@@ -16,12 +16,13 @@ from osculant.kernels.bihelices.family import Bihelix
 from osculant.kernels.bihelices.foot import foot
 from osculant.kernels.bihelices.helix import point_at
 from osculant.kernels.bracket import safeguarded
+from osculant.kernels.course import spot, spots
 from osculant.kernels.curves.space import Source, sample
 from osculant.kernels.curves.vectors import Vector, dot, norm, subtract
 from osculant.kernels.jit import kernel
 
-#: samples of the curve and of the bihelix, an odd number
-POINTS = 161
+#: samples of the bihelix, an odd number, and of the curve at least, and at most: longer arcs are not measured
+POINTS, MOST = 161, 600
 #: the samples of a curve that is followed have chords of at least this part of its length
 FOLLOWED = 0.98
 #: steps to a nearest point of the curve, their relative size that ends them, and golden sections
@@ -135,21 +136,33 @@ def one_sided(
 def two_sided(source: Source, a: float, b: float, sigma: float, two: Bihelix) -> float:
     """The Hausdorff distance between the curve over [a, b], of length σ, and a bihelix.
 
-    Infinite if the samples do not follow the curve.  An estimate as far as `POINTS` samples see each peak.
+    Infinite if the samples do not follow the curve, or if it takes more than `MOST` to see what the course
+    tells of it.  An estimate as far as they see each peak.
     """
-    curve, helices = np.empty((POINTS, 5)), np.empty((POINTS, 5))
+    at_spots = spots(source.course, a, b, POINTS - 2)
+    count = at_spots.steps + 1
+    if count > MOST:
+        return math.inf
+    curve, helices = np.empty((count, 5)), np.empty((POINTS, 5))
     half, first, second = POINTS // 2, two.left.length, two.right.length
     chords = 0.0
     for i in range(POINTS):
-        curve[i, 0] = b if i == POINTS - 1 else a + (b - a) * i / (POINTS - 1)
         helices[i, 0] = first * i / half if i <= half else first + second * (i - half) / half
-        p, q = at(source, two, CURVE, curve[i, 0]), at(source, two, BIHELIX, helices[i, 0])
-        for j in range(3):
-            curve[i, 1 + j], helices[i, 1 + j] = p[j], q[j]
+        write_point(source, two, BIHELIX, helices[i])
+    for i in range(count):
+        curve[i, 0] = spot(source.course, at_spots, i)
+        write_point(source, two, CURVE, curve[i])
         if i > 0:
-            k = i - 1
-            chords += norm((p[0] - curve[k, 1], p[1] - curve[k, 2], p[2] - curve[k, 3]))
+            p, q = curve[i], curve[i - 1]
+            chords += norm((p[1] - q[1], p[2] - q[2], p[3] - q[3]))
     if not chords >= FOLLOWED * sigma:
         return math.inf
     top = one_sided(source, two, CURVE, curve, helices, 0.0)
     return one_sided(source, two, BIHELIX, helices, curve, top)
+
+
+@kernel
+def write_point(source: Source, two: Bihelix, which: int, row: np.ndarray[Any, Any]) -> None:
+    """Write the point at the place of a row into it."""
+    p = at(source, two, which, row[0])
+    row[1], row[2], row[3] = p[0], p[1], p[2]

@@ -19,6 +19,7 @@ from osculant.kernels.bihelices.balance import (
     assess,
     balanced,
     is_straight,
+    with_all_peaks,
 )
 from osculant.kernels.bihelices.family import EQUIOSCILLATING
 from osculant.kernels.bihelices.helix import HELIX_SIZE, moved, write_helix
@@ -115,6 +116,7 @@ def confirm(
     sigma = measure_lengths(source, a, b, lengths)
     v = min(FARTHEST, max(-FARTHEST, w * sigma)) if fit.rule == EQUIOSCILLATING else 0.0
     seen = assess(fit.rule, source, a, start, b, end, sigma, v, points, lengths)
+    seen = with_all_peaks(source, a, b, seen, points)
     error = max(seen.left, seen.right) if seen.trusted else math.inf
     return error, Balanced(error, seen.left, seen.right, v, seen.two)
 

@@ -13,6 +13,7 @@ import math
 from osculant.kernels.bihelices.family import Bihelix
 from osculant.kernels.bihelices.foot import foot
 from osculant.kernels.bihelices.helix import Helix
+from osculant.kernels.course import Spots, equidistant, in_one_row, spot, spots
 from osculant.kernels.curves.space import Source, sample
 from osculant.kernels.curves.vectors import dot, norm
 from osculant.kernels.jit import kernel
@@ -21,6 +22,9 @@ from osculant.kernels.jit import kernel
 VISITS, SETTLED = 8, 1e-8
 #: most that a helix turns between two samples, and the most samples of one side
 TURN, MOST = 0.35, 64
+#: samples of one side at most: longer arcs are not measured; a peak counts as another one if it is higher by
+#: this part, which is less than the window of errors leaves
+MOST_OF_ALL, MORE = 600, 1e-7
 #: the sight of a point is trusted if the curve leans to the helix by less (cosine) …
 LEAN = 0.8
 #: … and the helix is not near its evolute: 1 − ⟨p − α, κN⟩ is larger
@@ -87,39 +91,75 @@ def summit(d0: float, s0: float, d1: float, s1: float) -> tuple[float, float]:
 
 
 @kernel
-def side(source: Source, helix: Helix, a: float, b: float, points: int, noise: float) -> tuple[float, bool]:
-    """(largest distance, trusted) of the curve over [a, b] from one helix, with matching ends.
+def side(source: Source, helix: Helix, at: Spots, noise: float) -> tuple[float, bool]:
+    """(largest distance, trusted) of the curve from one helix, with matching ends.
 
-    Between ``points`` equidistant samples, or more where the helix turns a lot, each peak is sought.
+    Between samples at the spots of the arc each peak is sought.
     """
-    count = int(min(float(MOST), max(float(points), math.ceil(helix.turning / TURN))))
-    step = (b - a) / count
-    d0, slope0, s0, speed0, trusted = look(source, helix, a, 0.0, noise)
+    t0 = at.a
+    d0, slope0, s0, speed0, trusted = look(source, helix, t0, 0.0, noise)
     near = REACHED * helix.length + REACHED_NOISE * noise
     trusted = trusted and s0 <= near
     top = d0
-    for i in range(1, count + 1):
-        t = b if i == count else a + step * i
+    for i in range(1, at.steps + 1):
+        t = spot(source.course, at, i)
+        step = t - t0
         d1, slope1, s1, speed1, good = look(source, helix, t, s0 + speed0 * step, noise)
         trusted = trusted and good and s1 >= s0
         top = max(top, d1)
         u, bend = summit(d0, slope0 * step, d1, slope1 * step)
         if not math.isnan(u) and top > noise:
             seed = s0 + u * (s1 - s0)
-            peak, good = height(
-                source, helix, t - step, t, t + (u - 1.0) * step, bend / (step * step), seed, noise
-            )
+            peak, good = height(source, helix, t0, t, t + (u - 1.0) * step, bend / (step * step), seed, noise)
             trusted = trusted and good
             top = max(top, peak)
-        d0, slope0, s0, speed0 = d1, slope1, s1, speed1
+        t0, d0, slope0, s0, speed0 = t, d1, slope1, s1, speed1
     return top, trusted and s0 >= helix.length - near
 
 
 @kernel
 def peaks(source: Source, a: float, b: float, two: Bihelix, points: int) -> tuple[float, float, bool]:
-    """(left peak, right peak, trusted): the largest distances on both sides of the junction."""
+    """(left peak, right peak, trusted): the largest distances on both sides of the junction.
+
+    From ``points`` samples of each, or more where a helix turns a lot; `all_peaks` sees more.
+    """
     noise = source.place.noise
     t = two.t
-    left, sure = side(source, two.left, a, t, points, noise)
-    right, sure_too = side(source, two.right, t, b, points, noise)
+    left, sure = side(source, two.left, quick(two.left, a, t, points), noise)
+    right, sure_too = side(source, two.right, quick(two.right, t, b, points), noise)
     return left, right, sure and sure_too
+
+
+@kernel
+def quick(helix: Helix, a: float, b: float, points: int) -> Spots:
+    """So many samples of an arc, or more where the helix turns a lot."""
+    count = int(min(float(MOST), max(float(points), math.ceil(helix.turning / TURN))))
+    return equidistant(a, b, count)
+
+
+@kernel
+def seen_all(
+    source: Source, helix: Helix, a: float, b: float, points: int, top: float, trusted: bool
+) -> tuple[float, bool]:
+    """(largest distance, trusted) of a side with all that the course tells of it, from what was seen before.
+
+    Infinite if that takes more than `MOST_OF_ALL` samples.  What was seen is kept if there is no more to it,
+    so that errors are smooth in the ends of the arc.
+    """
+    at = spots(source.course, a, b, points)
+    if in_one_row(at):
+        return top, trusted
+    if at.steps > MOST_OF_ALL:
+        return math.inf, trusted
+    found, sure = side(source, helix, at, source.place.noise)
+    return (found if found > (1.0 + MORE) * top else top), trusted and sure
+
+
+@kernel
+def all_peaks(
+    source: Source, a: float, b: float, two: Bihelix, points: int, left: float, right: float, trusted: bool
+) -> tuple[float, float, bool]:
+    """`peaks` with all that the course tells of the arc, from what was seen before."""
+    left, trusted = seen_all(source, two.left, a, two.t, points, left, trusted)
+    right, trusted = seen_all(source, two.right, two.t, b, points, right, trusted)
+    return left, right, trusted

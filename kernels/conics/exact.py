@@ -10,7 +10,7 @@ from osculant.kernels.conics import records
 from osculant.kernels.conics.pencil import pencil, through, view
 from osculant.kernels.conics.scan import measure
 from osculant.kernels.curves.peaks import workspace
-from osculant.kernels.curves.plane import Frame, Place, frame, source_of
+from osculant.kernels.curves.plane import Frame, Place, alone, frame
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import ERROR, REASON, A, B
 from osculant.kernels.search import ENDS_AT_STRETCH
@@ -36,7 +36,7 @@ def conics_through(
         part: where in an arc the point is, between 0 and 1.
         table: rows; their error is how far the curve is from the conic.
     """
-    source, space = source_of(fit, address, place), workspace(fit)
+    source, space = alone(address, place), workspace(fit)
     count = knots.shape[0] - 1
     for i in range(count):
         a, b = knots[i], knots[i + 1]

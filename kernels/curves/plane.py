@@ -38,11 +38,15 @@ class Place(NamedTuple):
 
 
 class Source(NamedTuple):
-    """What samples the curve: the compiled jet's address, the place, and room for one jet."""
+    """What samples the curve: the compiled jet's address, the place, room for one jet, and its course.
+
+    The course (`osculant.kernels.course`) tells where to look; it has no rows where that does not matter.
+    """
 
     address: int
     place: Place
     jet: np.ndarray[Any, Any]
+    course: np.ndarray[Any, Any]
 
 
 class Frame(NamedTuple):
@@ -87,9 +91,15 @@ def frame(source: Source, t: float) -> Frame:
 
 
 @kernel
-def source_of(fit: Any, address: int, place: Place) -> Source:
+def source_of(fit: Any, address: int, place: Place, course: np.ndarray[Any, Any]) -> Source:
     """What samples a curve in the plane, for any fit."""
-    return Source(address, place, np.empty(JET_SIZE))
+    return Source(address, place, np.empty(JET_SIZE), course)
+
+
+@kernel
+def alone(address: int, place: Place) -> Source:
+    """What samples a curve without a course."""
+    return Source(address, place, np.empty(JET_SIZE), np.empty((0, 3)))
 
 
 @kernel

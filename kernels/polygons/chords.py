@@ -10,6 +10,7 @@ import math
 from typing import Any, NamedTuple
 
 from osculant.kernels.bracket import safeguarded
+from osculant.kernels.course import spot, spots
 from osculant.kernels.curves import plane, space
 from osculant.kernels.curves.vectors import combine, dot, norm, subtract
 from osculant.kernels.jit import kernel
@@ -17,6 +18,8 @@ from osculant.kernels.operations import operation
 
 #: steps to one peak, and their relative size that ends them: a height depends on its square
 STEPS, SETTLED = 40, 1e-9
+#: samples of one arc at most: longer arcs are not measured
+MOST = 2000
 #: a peak is not believed nearer than this to an end of the arc, in parts of it
 MARGIN = 0.01
 
@@ -112,9 +115,9 @@ def visit(
 
 
 @kernel
-def peak_between(fit: Any, source: Any, start: Any, end: Any, low: float, high: float) -> float:
-    """The largest distance found between two parameters about a peak: safeguarded Newton."""
-    t, top, width = 0.5 * (low + high), 0.0, high - low
+def peak_between(fit: Any, source: Any, start: Any, end: Any, low: float, t: float, high: float) -> float:
+    """The largest distance found between two parameters about a peak, from t on: safeguarded Newton."""
+    top, width = 0.0, high - low
     for _ in range(STEPS):
         seen = rise(fit, source, start, end, t)
         top = max(top, seen.distance)
@@ -129,20 +132,23 @@ def peak_between(fit: Any, source: Any, start: Any, end: Any, low: float, high: 
 def measure(fit: Any, source: Any, a: float, start: Any, b: float, end: Any, points: int) -> float:
     """The Hausdorff distance of the arc [a, b] and its chord, from ``points`` inner samples or more.
 
-    An estimate as far as the samples see each peak; infinite if the ends of the arc coincide.
+    An estimate as far as the samples see each peak; infinite if the ends of the arc coincide, or if it takes
+    more than `MOST` samples to see what the course tells of it.
     """
-    step = (b - a) / (points + 1)
-    top, before, here = 0.0, 0.0, rise(fit, source, start, end, a + step).distance
-    for i in range(1, points + 1):
-        after = 0.0
-        if i < points:
-            after = rise(fit, source, start, end, a + (i + 1) * step).distance
+    at = spots(source.course, a, b, points)
+    if at.steps > max(MOST, points + 1):
+        return math.inf
+    low, t = a, spot(source.course, at, 1)
+    top, before, here = 0.0, 0.0, rise(fit, source, start, end, t).distance
+    for i in range(2, at.steps + 1):
+        high, after = spot(source.course, at, i), 0.0
+        if i < at.steps:
+            after = rise(fit, source, start, end, high).distance
         if not here < math.inf:  # there is no chord
             return math.inf
         if here >= before and here >= after:
-            t = a + i * step
-            top = max(top, here, peak_between(fit, source, start, end, t - step, t + step))
-        before, here = here, after
+            top = max(top, here, peak_between(fit, source, start, end, low, t, high))
+        low, t, before, here = t, high, here, after
     return top
 
 

@@ -56,7 +56,8 @@ def approximate_curve(
         check_floor(allowed, rounding, size.largest)
     # a search for the best beginning takes errors that are monotone
     closed_how = closing(curve, closed, seam=not fit.primitive.monotone)
-    fitting = Fitting(curve, fit, divide(curve, primitive, split_at, closed_how, split), size)
+    division = divide(curve, primitive, split_at, closed_how, split)
+    fitting = Fitting(curve, fit, division, size, allowed if count is None else None)
     if count is not None:
         found = fitting.for_number(count)
         error = whole_error(found.runs, fit.degree)

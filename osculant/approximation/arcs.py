@@ -86,9 +86,10 @@ class Arcs:
 
     def course(self, a: float, b: float) -> Floats:
         """How the curve turns and how long it is from a to b (`osculant.kernels.course`)."""
+        edges = self.coordinates.edges(a, b)
         for rows in (COURSE, MOST):
             course = np.empty((rows, 3))
-            found = lay_out(self.record, self.curve.compiled.address, self.place, a, b, course)
+            found = lay_out(self.record, self.curve.compiled.address, self.place, edges, course)
             if found > 0:
                 return course[:found].copy()
         raise too_many(MOST)

@@ -1,12 +1,15 @@
-"""The coordinates in which kernels see a curve: moved to its first point and scaled to a size of about 1."""
+"""How kernels see a curve: moved to its first point, scaled to a size of about 1, its features known."""
 
 from __future__ import annotations
 
+import math
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from osculant.approximation.division import Frame
+from osculant.approximation.runs import Floats, equal_parts
 from osculant.kernels.curves import plane, space
 
 if TYPE_CHECKING:
@@ -15,6 +18,8 @@ if TYPE_CHECKING:
 
 #: rounding units of the largest coordinate that positions may be wrong by
 NOISE_ULPS = 4
+#: parts of a stretch where theory says that samples miss nothing
+PANELS = 16
 
 #: the kernels' `Place` of a curve, and a `Frame` in it, of the plane or of space
 Place: TypeAlias = Any
@@ -27,6 +32,8 @@ class Coordinates:
     Attributes:
         curve: with its interval.
         size: its extent.
+        resolution: features of the curve that are larger than this are not to be missed between samples; None
+            if none can be, as it is split at its special points.
         scale: what the user's lengths are multiplied by.
         noise: what rounding may do to a position, in the kernels' units.
 
@@ -37,8 +44,9 @@ class Coordinates:
     (1.0, 1.0, 0.0625, -1.0)
     """
 
-    def __init__(self, curve: FormulaCurve, size: Extent) -> None:
+    def __init__(self, curve: FormulaCurve, size: Extent, resolution: float | None = None) -> None:
         self.curve, self.size, self.scale = curve, size, size.scale
+        self.resolution = resolution
         self.noise = NOISE_ULPS * size.rounding() * size.scale
 
     def place(self, bend: float = 1.0) -> Place:
@@ -48,6 +56,34 @@ class Coordinates:
             return plane.Place(x, y, self.scale, bend, self.noise)
         x, y, z = self.size.origin
         return space.Place(x, y, z, self.scale, self.noise)
+
+    @cached_property
+    def _parts(self) -> Floats:
+        """Edges of parts of the curve's interval on which it is a polynomial, up to the resolution."""
+        from osculant.cas.numbers.parts import polynomial_parts
+
+        assert self.resolution is not None
+        return np.array(polynomial_parts(self.curve.balls, *self.curve.interval, self.resolution))
+
+    def edges(self, a: float, b: float) -> Floats:
+        """Edges of parts of [a, b] that are at least as fine as the curve's features: increasing (m + 1,).
+
+        Beyond the curve's interval it is taken to be periodic.
+
+        >>> from osculant.curves.extent import extent
+        >>> from osculant.curves.space import SpaceCurve
+        >>> bump = SpaceCurve("t, 0, exp(-((t - 1/3)/10^-5)^2)", 0, 1)
+        >>> edges = Coordinates(bump, extent(bump), 1e-9).edges(0.0, 1.0)
+        >>> float(np.diff(edges).min()) < 1e-5 < float(np.diff(edges).max())
+        True
+        """
+        if self.resolution is None:
+            return equal_parts((a, b), PANELS)
+        low, high = self.curve.interval
+        period = high - low
+        turns = np.arange(math.floor((a - low) / period), max(1, math.ceil((b - low) / period)))
+        every = np.unique(self._parts + period * turns[:, None])
+        return np.concatenate([[a], every[(every > a) & (every < b)], [b]])
 
     def error_noise(self, degree: int) -> float:
         """What rounding does to an error in the user's units: a length (degree 1), or an area (2)."""
@@ -66,8 +102,8 @@ class Coordinates:
     def frame_at(self, t: float, place: Place) -> Local:
         """The frame of the curve at t in the kernels' coordinates."""
         if isinstance(place, plane.Place):
-            return plane.frame(plane.source_of(None, self.curve.compiled.address, place), t)
-        return space.frame(space.source_of(None, self.curve.compiled.address, place), t)
+            return plane.frame(plane.alone(self.curve.compiled.address, place), t)
+        return space.frame(space.alone(self.curve.compiled.address, place), t)
 
     def user_frame(self, t: float, place: Place) -> Frame:
         """The frame of the curve at t in the user's."""

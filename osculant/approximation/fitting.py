@@ -36,6 +36,10 @@ if TYPE_CHECKING:
 ROUNDS = 200
 #: tolerances are looked at so much above, in parts of them, for a closed curve with one piece less
 NEAR = 1e-5
+#: features that are larger than this part of the tolerance are not missed, which is less than the window of
+#: errors leaves, and this one where theory says what errors look like; if no tolerance is given, parts of the
+#: size in its place
+RESOLVED, OUTLINED, SMALL = 1e-7, 1e-3, 1e-2
 #: by `Itself.shape`, how a stretch of the plane is fitted that is an arc of the primitive
 EXACT = {"conic": ConicArcs, "circle": CircleArcs}
 
@@ -78,11 +82,14 @@ class Fitting:
         fit: what the pieces are and how they are chosen.
         division: of the curve, for the fit's primitive.
         size: the curve's.
+        tolerance: what will be asked for; None if it is a number of pieces.
     """
 
-    def __init__(self, curve: FormulaCurve, fit: Fit, division: Division, size: Extent) -> None:
+    def __init__(
+        self, curve: FormulaCurve, fit: Fit, division: Division, size: Extent, tolerance: float | None = None
+    ) -> None:
         self.fit, self.division, self.size = fit, division, size
-        self.coordinates = Coordinates(curve, size)
+        self.coordinates = Coordinates(curve, size, resolution(curve, fit, division, size, tolerance))
         self.rounding = size.rounding(fit.degree)
         self.parts = [part_of(self.coordinates, fit, division, stretch) for stretch in division.stretches]
         self.circuit: Circuit | None = None
@@ -186,6 +193,19 @@ class Fitting:
         assert self.circuit is not None
         part = self.circuit.arcs_from(start)
         return replace(self.division, stretches=(part.stretch,)), part
+
+
+def resolution(
+    curve: FormulaCurve, fit: Fit, division: Division, size: Extent, tolerance: float | None
+) -> float:
+    """What features of the curve have to be seen whatever lies between samples.
+
+    In the plane a curve is split where it has them, unless that was not decided, or not to be done: errors
+    have few peaks, and it only matters where the curve turns.
+    """
+    smallest = SMALL * size.size if tolerance is None else tolerance / size.size ** (fit.degree - 1)
+    outlined = curve.dimension == 2 and not (division.undecided or division.unsplit)
+    return smallest * (OUTLINED if outlined else RESOLVED)
 
 
 def part_of(coordinates: Coordinates, fit: Fit, division: Division, stretch: Stretch) -> Part:

@@ -33,6 +33,9 @@ HERE = plane.Place(0.0, 0.0, 1.0, 1.0, NOISE)
 MIRRORED = HERE._replace(side=-1.0)
 SPACE = space.Place(0.0, 0.0, 0.0, 1.0, NOISE / 2)
 
+#: panels of courses at first
+PANELS = 16
+
 #: all fits in the plane; as tuples they are equal, and told apart by their types or by `is`
 PLANE = (
     Parabola(),
@@ -76,7 +79,7 @@ class Arc(NamedTuple):
 def source_at(jet: CompiledJet, place: Any = HERE) -> Any:
     """What samples a curve of the plane or of space."""
     module = plane if isinstance(place, plane.Place) else space
-    return module.Source(jet.address, place, np.empty(module.JET_SIZE))
+    return module.alone(jet.address, place)
 
 
 def frame_at(jet: CompiledJet, t: float, place: Any = HERE) -> Any:
@@ -137,7 +140,7 @@ def visit(fit: Any, on: Arc, calm: float, rounds: int = 8, state: Any = None) ->
 def course_of(fit: Any, jet: CompiledJet, a: float, b: float, place: Any = HERE, rows: int = 4096) -> Any:
     """The course of a stretch."""
     course = np.empty((rows, 3))
-    count = lay_out(fit, jet.address, place, a, b, course)
+    count = lay_out(fit, jet.address, place, np.linspace(a, b, PANELS + 1), course)
     assert count > 0
     return course[:count].copy()
 

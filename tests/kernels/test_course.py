@@ -18,12 +18,14 @@ from osculant.kernels.course import (
     farthest,
     lay_out,
     resolving,
+    spot,
+    spots,
     turns,
 )
 from osculant.kernels.curves.jets import sample_many
 from osculant.kernels.curves.plane import JET_SIZE
 from osculant.kernels.operations import TURNING
-from tests.kernels.arcs import HERE, SPACE, course_of, jet_of
+from tests.kernels.arcs import HERE, PANELS, SPACE, course_of, jet_of
 
 PLANE, IN_SPACE = Conic(), Bihelix()
 CIRCLE, FADING, EVEN = "cos(t), sin(t)", "exp(-t/50)*cos(t), exp(-t/50)*sin(t)", "t*cos(t), t*sin(t)"
@@ -103,10 +105,11 @@ def test_where_the_speed_is_0_the_course_goes_on(at, powers):
 def test_what_does_not_fit_is_told():
     jet = jet_of(CIRCLE)
     whole = course_of(PLANE, jet, 0.0, 100.0)
-    assert lay_out(PLANE, jet.address, HERE, 0.0, 100.0, np.empty((len(whole), 3))) == len(whole)
-    assert lay_out(PLANE, jet.address, HERE, 0.0, 100.0, np.empty((len(whole) - 1, 3))) == -1
+    edges = np.linspace(0.0, 100.0, PANELS + 1)
+    assert lay_out(PLANE, jet.address, HERE, edges, np.empty((len(whole), 3))) == len(whole)
+    assert lay_out(PLANE, jet.address, HERE, edges, np.empty((len(whole) - 1, 3))) == -1
     undefined = jet_of("t, sqrt(t - 1/2)")
-    assert lay_out(PLANE, undefined.address, HERE, 0.0, 1.0, np.empty((MOST, 3))) == -1
+    assert lay_out(PLANE, undefined.address, HERE, np.array([0.0, 1.0]), np.empty((MOST, 3))) == -1
 
 
 def test_the_farthest_arc_turns_as_far_as_is_allowed():
@@ -177,3 +180,25 @@ def test_points_are_no_more_than_the_most_unless_asked_for():
     course = course_of(PLANE, jet_of(ROUNDED), -1.0, 1.0)
     assert resolving(course, -1.0, 1.0, 8) == MOST_POINTS
     assert resolving(course, -1.0, 1.0, MOST_POINTS + 7) == MOST_POINTS + 7
+
+
+def all_spots(course, a, b, points):
+    """The parameters of all samples of an arc."""
+    at = spots(course, a, b, points)
+    return [spot(course, at, i) for i in range(at.steps + 1)]
+
+
+def test_spots_are_equidistant_without_a_course_and_between_two_rows():
+    for course in (np.empty((0, 3)), np.array([[-1.0, 0.0, 0.0], [5.0, 0.1, 6.0]])):
+        assert all_spots(course, 1.0, 2.0, 3) == pytest.approx([1.0, 1.25, 1.5, 1.75, 2.0], abs=1e-15)
+
+
+@pytest.mark.parametrize("ends", [(-1.0, 1.0), (-0.4, 1e-5), (-1e-6, 2e-6), (0.3, 0.30001)])
+def test_spots_see_every_row_of_a_course(ends):
+    course = course_of(PLANE, jet_of(NEAR_CUSP), -1.0, 1.0)
+    for points in (0, 8, 40):
+        times = all_spots(course, *ends, points)
+        assert (times[0], times[-1]) == ends and len(times) >= points + 2
+        assert (np.diff(times) > 0).all()
+        inside = course[(course[:, TIME] >= ends[0]) & (course[:, TIME] <= ends[1]), TIME]
+        assert all(any(low <= t <= high for t in times) for low, high in pairwise(inside))

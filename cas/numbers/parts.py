@@ -1,0 +1,68 @@
+"""Where a curve has its features: parts on which it is a polynomial, as nearly as one likes.
+
+Samples of a curve cannot tell what it does between them; balls can.  On a part where the last term of
+Taylor's formula is below an accuracy, every coordinate is its Taylor polynomial about the middle up to that
+accuracy, so that a few samples there miss nothing larger.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from itertools import pairwise
+from typing import Any
+
+from flint import arb
+
+from osculant.cas.numbers.balls import FormulaBalls, precision
+
+#: the order of the last term, bits of the balls, parts at first
+ORDER, BITS, FIRST = 8, 64, 16
+#: parts are halved down to this part of the whole, and in all so many are looked at
+NARROWEST, WORK_LIMIT = 2.0**-44, 20_000
+
+
+def polynomial_parts(curve: FormulaBalls[Any], low: float, high: float, accuracy: float) -> list[float]:
+    """The edges of parts of [low, high] on which the curve is a polynomial of degree `ORDER` − 1.
+
+    Args:
+        curve: its coordinates in ball arithmetic.
+        low: one end, a double,
+        high: and the other.
+        accuracy: how far from the polynomial a coordinate may be, at most.
+
+    Returns:
+        Increasing doubles, from low to high.  Wide parts are halved first; where the curve is singular, and
+        beyond `WORK_LIMIT`, parts are left as they are, so that the work is bounded.
+
+    >>> from osculant.cas.formulas.parser import parse_tuple
+    >>> from osculant.cas.jets.balls import CurveBalls
+    >>> bump = CurveBalls(parse_tuple("t, exp(-((t - 1/3)/10^-5)^2)/1000"))
+    >>> edges = polynomial_parts(bump, 0.0, 1.0, 1e-9)
+    >>> narrowest = min((b - a, a) for a, b in zip(edges, edges[1:]))
+    >>> narrowest[0] < 1e-5, abs(narrowest[1] - 1 / 3) < 1e-4, len(edges) < 200
+    (True, True, True)
+    """
+    edges = {low + (high - low) * i / FIRST for i in range(FIRST)} | {high}
+    least = NARROWEST * (high - low)
+    pending = deque(pairwise(sorted(edges)))
+    with precision(BITS):
+        for _ in range(WORK_LIMIT):
+            if not pending:
+                break
+            a, b = pending.popleft()
+            middle, half = 0.5 * (a + b), 0.5 * (b - a)
+            if half < least or not a < middle < b or remainder(curve, middle, half) <= accuracy:
+                continue
+            edges.add(middle)
+            pending += [(a, middle), (middle, b)]
+    return sorted(edges)
+
+
+def remainder(curve: FormulaBalls[Any], middle: float, half: float) -> float:
+    """The largest last term of a coordinate about the middle of an interval; infinite where one is not."""
+    largest = 0.0
+    for row in curve.coefficients(arb(middle, half), ORDER):
+        size = float(abs(row[ORDER]).upper()) * half**ORDER
+        largest = max(largest, size if math.isfinite(size) else math.inf)
+    return largest
