@@ -22,9 +22,9 @@ T = sympy.Symbol("t", real=True)
 #: the order of Taylor's remainder, and the narrowest and the most parts
 ORDER, NARROWEST, MOST = 8, 2.0**-44, 20_000
 #: samples evenly spread over a piece and its arc, samples between the edges of parts, and about each peak
-SAMPLES, INNER, AGAIN = 200, 6, 9
-#: peaks lower than this part of the highest are not looked at again
-HIGH = 0.97
+SAMPLES, INNER, AGAIN = 100, 4, 9
+#: peaks lower than this part of the highest are not looked at again, nor are more than so many
+HIGH, MOST_PEAKS = 0.97, 8
 
 ON_ARRAYS = {
     name: getattr(np, name) for name in ("exp", "sin", "cos", "log", "sqrt", "tan", "sinh", "cosh", "tanh")
@@ -280,7 +280,7 @@ def one_sided(one, other):
     top = found.max()
     padded = np.concatenate([[-1.0], found, [-1.0]])
     peaks = np.flatnonzero((found >= padded[:-2]) & (found >= padded[2:]) & (found >= HIGH * top))
-    peaks = peaks[np.argsort(-found[peaks])][:24]
+    peaks = peaks[np.argsort(-found[peaks])][:MOST_PEAKS]
     low, high = one.places[np.maximum(peaks - 1, 0)], one.places[np.minimum(peaks + 1, len(found) - 1)]
     for _ in range(2):
         places = low[:, None] + (high - low)[:, None] * np.linspace(0, 1, AGAIN)

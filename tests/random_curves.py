@@ -34,7 +34,7 @@ RESOLVED = 1e-3
 PATIENCE = 20.0
 #: distances that come out nearer than this, in parts, to a limit are measured again, with so many times as
 #: many samples
-NEAR, AGAIN = 5e-7, 4
+NEAR, AGAIN = 5e-7, 6
 #: primitives, with their share of the curves, and of those how many have another parametrisation than the
 #: plain one: special points take their time
 PLANE = {"parabola": (1, 0.1), "conic": (1, 0.1), "biarc": (2, 0.3), "polygon": (2, 0.5)}
