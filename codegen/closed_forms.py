@@ -73,12 +73,12 @@ def module_source(
     import mpmath
 
     functions = [function_source(form) for form in forms]
-    uses_numpy = any("np." in text for text in functions)
+    uses_math, uses_numpy = (any(name in text for text in functions) for name in ("math.", "np."))
     parts = [
         f'"""Generated from {derivation} by codegen.generate; do not edit.\n\n'
         f'Made with sympy {sp.__version__}, mpmath {mpmath.__version__}: `make generate`.\n"""',
         "from __future__ import annotations\n\n"
-        + "import math\n\n"
+        + ("import math\n\n" if uses_math else "")
         + ("import numpy as np\n\n" if uses_numpy else "")
         + "from osculant.kernels.jit import kernel",
         "\n".join(f"{name} = {_printed(value)}" for name, value in constants.items()),

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import sympy as sp
 
-from osculant.cas.formulas.sympy_bridge import to_sympy
-from osculant.cas.geometry import pencil
+from osculant.cas.asymptotics import free_cubics
+from osculant.cas.geometry import cubic_moments, pencil
 from osculant.cas.invariants.values import jet_symbols
 from osculant.cas.jets.plane import PlaneJet
 from osculant.cas.jets.space import SpaceJet
@@ -78,16 +78,16 @@ def laws_module() -> str:
     """The laws of `osculant.cas.laws.table`: densities of plane ones over jets of order 5, and all orders.
 
     `law_name` begins every name: ``conic_density``, ``conic_area_density``, ``CONIC_ORDER``,
-    ``CONIC_AREA_ORDER``. Laws of space curves have no density here; their constants c are printed instead,
-    as ``BIHELIX_CONSTANT``.
+    ``CONIC_AREA_ORDER``. Laws of space curves, and those whose density is no closed form, have none here;
+    their constants c are printed instead, as ``BIHELIX_CONSTANT``.
     """
     jet = jet_symbols(PlaneJet, "xy", 5)
     laws = sorted(LAWS.values(), key=lambda law: list(METRICS).index(law.metric))
     constants: dict[str, sp.Expr | int] = {f"{law_name(law)}_ORDER".upper(): law.order for law in laws}
     forms = []
     for law in laws:
-        c = to_sympy(law.constant())
-        if 2 not in law.spaces:
+        c = law.exact()
+        if 2 not in law.spaces or law.branch is not None:
             constants[f"{law_name(law)}_CONSTANT".upper()] = c
             continue
         error = "ε" if law.dimension == 1 else "a piece's area"
@@ -107,6 +107,47 @@ def law_name(law: Law) -> str:
     ('conic_area', 'level_bihelix')
     """
     return law.primitive.replace(" ", "_") + ("_area" if law.metric == "area" else "")
+
+
+def cubics_module() -> str:
+    """Six-fold contact of cubics with short arcs, and cubics of given area and moment."""
+    contact, moments = free_cubics.contact(), cubic_moments
+    heights = free_cubics.Y
+    first, second = (sp.fraction(sp.together(third)) for third in contact.third())
+    condition = sp.Poly(contact.condition, free_cubics.a).all_coeffs()
+    above, below = moments.other_arm()
+    forms = [
+        ClosedForm(
+            "condition",
+            "The coefficients of a³ … a⁰ in (C).",
+            heights[:-1],
+            dict(zip(("c3", "c2", "c1", "c0"), condition)),
+        ),
+        ClosedForm(
+            "thirds",
+            "b of a root a of (C), as two fractions: numerator, denominator, numerator, denominator.",
+            (free_cubics.a, *heights[:-1]),
+            dict(zip(("above", "below", "other_above", "other_below"), (*first, *second))),
+        ),
+        ClosedForm(
+            "residual", "D.", (free_cubics.a, free_cubics.b, *heights), {"residual": contact.residual}
+        ),
+        ClosedForm(
+            "quartic",
+            "The coefficients of a₀⁴ … a₀⁰ that area and moment leave.",
+            moments.ARGUMENTS,
+            dict(zip(("q4", "q3", "q2", "q1", "q0"), moments.quartic())),
+        ),
+        ClosedForm(
+            "other_arm",
+            "Numerator and denominator of a₃.",
+            (moments.ARM0, *moments.ARGUMENTS[:-1]),
+            {"above": above, "below": below},
+        ),
+    ]
+    constants = {name.upper(): sp.N(value, 20) for name, value in free_cubics.lobes().items()}
+    derivation = "cas/asymptotics/free_cubics.py and cas/geometry/cubic_moments.py"
+    return module_source(derivation, forms, constants)
 
 
 def space_module() -> str:
@@ -130,6 +171,7 @@ MODULES = {
     "pencil.py": pencil_module,
     "invariants.py": invariants_module,
     "laws.py": laws_module,
+    "cubics.py": cubics_module,
     "space.py": space_module,
 }
 

@@ -23,8 +23,8 @@ COARSEST, FINEST, DEPTH = 2, 5, 30
 MOST = 2000
 #: two steps that agree to this are good to about its square
 AGREEMENT = 1e-6
-#: doubles of a jet of order 5 in the plane, or of order 3 in space
-JET_SIZE = 12
+#: doubles of a jet of order 6 in the plane at most, or of order 3 in space
+JET_SIZE = 14
 #: the argument of sinh at which the nodes' distances from the ends are below a double's resolution
 FARTHEST = 3.6
 

@@ -12,12 +12,19 @@ The laws are those of `osculant.cas.laws.table`.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
+
+from flint import arb
 
 from osculant.cas.laws.law import Law
 from osculant.cas.laws.table import law_of
 from osculant.cas.numbers.balls import PRECISION, FormulaBalls, precision
 from osculant.cas.numbers.quadrature import integral
+
+#: samples that tell the branches of a law apart, and halvings that find where one ends
+BRANCH_SAMPLES, BRANCH_HALVINGS = 129, 160
 
 
 def complexity_constant(
@@ -54,11 +61,30 @@ def complexity_constant(
 
 
 def law_integral(curve: FormulaBalls[Any], law: Law, low: Any, high: Any) -> tuple[Any, float]:
-    """The same for any law."""
+    """The same for any law; where its J is the least of several values, from one kink or jump to the next."""
     with precision(PRECISION):
         c = law.ball()
-        content, error = integral(lambda t: law.density(curve.jet(t, law.jet), c).mid(), low, high)
+        content, error = arb(0), 0.0
+        for part in pairwise([low, *_breaks(curve, law, low, high), high]):
+            value, change = integral(lambda t: law.density(curve.jet(t, law.jet), c).mid(), *part)
+            content, error = content + value, error + change
         if law.spline_order == law.order or content == 0:
             return content, error
         whole = (content**law.order).root(law.spline_order)
         return whole, error * float(whole / content) * law.order / law.spline_order
+
+
+def _breaks(curve: FormulaBalls[Any], law: Law, low: Any, high: Any) -> Iterator[Any]:
+    """Where the branch of a law changes between two parameters, as far as `BRANCH_SAMPLES` samples see it."""
+    label = law.branch
+    if label is None:
+        return
+    places = [(low + (high - low) * (2 * i + 1) / (2 * BRANCH_SAMPLES)).mid() for i in range(BRANCH_SAMPLES)]
+    labels = [label(curve.jet(t, law.jet)) for t in places]
+    for (a, before), (b, after) in pairwise(zip(places, labels)):
+        if before == after:
+            continue
+        for _ in range(BRANCH_HALVINGS):
+            middle = ((a + b) / 2).mid()
+            a, b = (middle, b) if label(curve.jet(middle, law.jet)) == before else (a, middle)
+        yield b

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Hashable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import Node
+from osculant.cas.numbers.algebraic import Algebraic
 
 #: the metrics, and the dimension of an error in each: 1 for a length, 2 for an area
 METRICS = {"hausdorff": 1, "area": 2}
@@ -27,6 +28,8 @@ class Law:
         constant: gives c, an exact constant.
         source: the module that derives the law.
         spaces: the dimensions of the spaces whose curves it is for.
+        branch: where J is the least of several values, which of them it is at a jet of balls, a label that
+            changes where J is not smooth; None of laws whose J is a closed form.
     """
 
     primitive: str
@@ -34,9 +37,10 @@ class Law:
     order: int
     jet: int
     invariant: Callable[[Any], Any]
-    constant: Callable[[], Node]
+    constant: Callable[[], Node | Algebraic]
     source: str
     spaces: tuple[int, ...] = (2,)
+    branch: Callable[[Any], Hashable] | None = None
 
     @property
     def dimension(self) -> int:
@@ -52,7 +56,15 @@ class Law:
         """c as a ball at the current precision."""
         from osculant.cas.numbers.balls import constant
 
-        return constant(self.constant())
+        c = self.constant()
+        return c.ball() if isinstance(c, Algebraic) else constant(c)
+
+    def exact(self) -> Any:
+        """c as a number of sympy's."""
+        from osculant.cas.formulas.sympy_bridge import to_sympy
+
+        c = self.constant()
+        return c.number() if isinstance(c, Algebraic) else to_sympy(c)
 
     def density(self, jet: Any, constant: Any) -> Any:
         """(c·J)^{1/p} |α̇| at a jet of balls, c being given as a ball: what a number of pieces integrates."""

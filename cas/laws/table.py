@@ -8,11 +8,11 @@ both for the kernels. A new primitive's law is one more entry, in a file of its 
 from __future__ import annotations
 
 from osculant.cas.errors import DomainError
-from osculant.cas.laws import biarcs, bihelices, conics, polygons
+from osculant.cas.laws import biarcs, bihelices, conics, cubics, polygons
 from osculant.cas.laws.law import Law, table
 
 #: by primitive and metric
-LAWS = table((*conics.LAWS, *biarcs.LAWS, *bihelices.LAWS, *polygons.LAWS))
+LAWS = table((*conics.LAWS, *biarcs.LAWS, *bihelices.LAWS, *polygons.LAWS, *cubics.LAWS))
 
 
 def law_of(primitive: str, metric: str = "hausdorff") -> Law:

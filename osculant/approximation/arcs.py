@@ -152,7 +152,7 @@ class Arcs:
         """Knots of equal content, from the density that theory integrates to the number of pieces."""
         times = equal_parts(self.ends, max(LEAST_POINTS, CONTENT_POINTS * count))
         total = np.empty_like(times)
-        jet = self.curve.jet_for_laws  # owns the code at its address
+        jet = self.curve.jet_for(self.fit.law(self.stretch.kind))  # owns the code at its address
         contents(self.record, jet.address, self.coordinates.scale, times, total)
         if not (math.isfinite(total[-1]) and total[-1] > 0):
             return equal_parts(self.ends, count)

@@ -247,7 +247,7 @@ def quick_complexity(
     from osculant.kernels.quadrature import predicted
 
     order = fit.law().spline_order
-    jet = curve.jet_for_laws  # owns the code at its address
+    jet = curve.jet_for(fit.law())  # owns the code at its address
     constants = []
     for stretch in division.stretches:
         constant = 0.0

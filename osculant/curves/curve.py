@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from osculant.cas.invariants.values import ExactValues
     from osculant.cas.jets.jet import Invariant
+    from osculant.cas.laws.law import Law
     from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
     from osculant.codegen.jets import CompiledJet
 
@@ -177,6 +178,10 @@ class FormulaCurve(ABC):
         from osculant.codegen.jets import compile_jet
 
         return compile_jet(self.coordinates, self.law_order)
+
+    def jet_for(self, law: Law) -> CompiledJet:
+        """The machine code that the density of a law takes."""
+        return self.jet_for_laws
 
     def jets(self, times: ArrayLike) -> NDArray[float64]:
         """Coordinates and their first `sampled_order` derivatives at ``times`` (m,), as doubles.

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from osculant.cas.jets.balls import CurveBalls
     from osculant.cas.jets.jet import Invariant
     from osculant.cas.jets.plane import PlaneJet
+    from osculant.cas.laws.law import Law
     from osculant.cas.zeros.form_zeros import FormZeros
     from osculant.codegen.jets import CompiledJet
 
@@ -62,6 +63,16 @@ class PlaneCurve(FormulaCurve):
         from osculant.cas.zeros.plane import zeros
 
         return zeros(self.balls)
+
+    @cached_property
+    def _longer_jet(self) -> CompiledJet:
+        from osculant.codegen.jets import compile_jet
+
+        return compile_jet(self.coordinates, self.law_order + 1)
+
+    def jet_for(self, law: Law) -> CompiledJet:
+        """The machine code that the density of a law takes: one derivative more for cubics."""
+        return self._longer_jet if law.jet > self.law_order else self.jet_for_laws
 
     def bend(self, t: Any) -> float:
         """1 if the curve bends to the left at a ball t, −1 if to the right."""

@@ -1,4 +1,4 @@
-"""Splines as SVG: `Q` for parabolas, `A` for ellipses and circles, `C` for hyperbolas, `L` for segments.
+"""Splines as SVG: `Q` for parabolas, `A` for ellipses, `C` for cubics and hyperbolas, `L` for segments.
 
 What is written, read with exact arithmetic, stays within a budget of the spline's exact pieces. Its parts:
 
@@ -27,7 +27,8 @@ from xml.sax.saxutils import escape
 
 from osculant.files.facts import header, header_lines
 from osculant.pieces.beziers import Ellipse, cubics, ellipse, parabola_bound
-from osculant.pieces.chain import conic_arcs
+from osculant.pieces.chain import plane_arcs
+from osculant.pieces.cubics import Cubic
 from osculant.pieces.piece import largest_of
 from osculant.tolerances import checked_budget
 
@@ -128,7 +129,7 @@ def path_data(pieces: Sequence[PieceLike], budget: float) -> tuple[str, int]:
     'M1 0\nA1 1 0 0 1 0 1\nA1 1 0 0 1 -1 0'
     """
     checked_budget(budget, largest_of(piece.bounding_box() for piece in pieces))
-    commands = [command for arc in conic_arcs(pieces) for command in _commands(arc, budget)]
+    commands = [command for arc in plane_arcs(pieces) for command in _commands(arc, budget)]
     amplification = max(command.amplification for command in commands)
     # Rounding to d decimals moves a point by at most 10⁻ᵈ/√2.
     decimals = math.ceil(-math.log10(math.sqrt(2) * budget / (4 * amplification)))
@@ -146,8 +147,10 @@ def number(value: float, decimals: int) -> str:
     return repr(rounded).removesuffix(".0")
 
 
-def _commands(piece: Piece, budget: float) -> list[Command]:
+def _commands(piece: Piece | Cubic, budget: float) -> list[Command]:
     """Return the path commands of one piece, converted to within half the budget."""
+    if isinstance(piece, Cubic):
+        return [Command("C", (*piece.controls, piece.end))]
     if piece.kind == "segment":
         return [Command("L", (piece.end,))]
     if parabola_bound(piece) <= budget / 2:

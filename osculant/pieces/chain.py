@@ -12,6 +12,7 @@ import numpy as np
 
 from osculant.cas.errors import DomainError
 from osculant.pieces.conics import Piece
+from osculant.pieces.cubics import Cubic
 from osculant.pieces.piece import around, largest_of
 
 if TYPE_CHECKING:
@@ -138,6 +139,16 @@ def _parted(before: Geometry, after: Geometry) -> tuple[float, float]:
     return float(np.linalg.norm(a - b)), float(np.linalg.norm(a + b))
 
 
+def plane_arcs(pieces: Iterable[PieceLike]) -> list[Piece | Cubic]:
+    """The arcs of pieces in the plane, conics and cubics, in order.
+
+    Raises:
+        DomainError: a piece of other arcs.
+    """
+    arcs = [(piece, arc) for piece in pieces for arc in piece.arcs]
+    return [arc if isinstance(arc, Cubic) else conic_arc(piece, arc) for piece, arc in arcs]
+
+
 def conic_arcs(pieces: Iterable[PieceLike]) -> list[Piece]:
     """The arcs of pieces in the plane, in order.
 
@@ -147,13 +158,14 @@ def conic_arcs(pieces: Iterable[PieceLike]) -> list[Piece]:
     >>> len(conic_arcs([Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 0.0))]))
     1
     """
-    found = []
-    for piece in pieces:
-        for arc in piece.arcs:
-            if not isinstance(arc, Piece):
-                raise DomainError(
-                    f"The piece on {piece.interval} is of kind {piece.kind!r}, which is no "
-                    "arc of a conic in the plane: approximate a curve in the plane."
-                )
-            found.append(arc)
-    return found
+    return [conic_arc(piece, arc) for piece in pieces for arc in piece.arcs]
+
+
+def conic_arc(piece: PieceLike, arc: Arc) -> Piece:
+    """An arc of a piece, which has to be one of a conic; raises DomainError if it is not."""
+    if isinstance(arc, Piece):
+        return arc
+    raise DomainError(
+        f"The piece on {piece.interval} is of kind {piece.kind!r}, which is no "
+        "arc of a conic in the plane: approximate a curve in the plane."
+    )

@@ -16,5 +16,6 @@ KINDS = {
     "parabola": "parabolas",
     "ellipse": "ellipses",
     "hyperbola": "hyperbolas",
+    "cubic": "cubic Bézier curves",
     "helix": "helical arcs",
 }

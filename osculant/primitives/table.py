@@ -8,6 +8,7 @@ from osculant.cas.errors import DomainError
 from osculant.primitives.biarc import BIARC
 from osculant.primitives.bihelix import BIHELIX
 from osculant.primitives.conic import CONIC, PARABOLA
+from osculant.primitives.cubic import CUBIC
 from osculant.primitives.polygon import POLYGON, SPACE_POLYGON
 from osculant.primitives.primitive import METRICS, Fit, Primitive
 
@@ -38,7 +39,7 @@ def register(primitive: Primitive) -> None:
     table[primitive.name] = primitive
 
 
-for _primitive in (PARABOLA, CONIC, BIARC, BIHELIX, POLYGON, SPACE_POLYGON):
+for _primitive in (PARABOLA, CONIC, BIARC, CUBIC, BIHELIX, POLYGON, SPACE_POLYGON):
     register(_primitive)
 
 
@@ -109,7 +110,7 @@ def usual_first(dimension: int) -> list[str]:
     """The names of the primitives for curves of a dimension, first what is taken if nothing is said.
 
     >>> usual_first(2), usual_first(3)
-    (['conic', 'parabola', 'biarc', 'polygon'], ['bihelix', 'polygon'])
+    (['conic', 'parabola', 'biarc', 'cubic', 'polygon'], ['bihelix', 'polygon'])
     """
     usual = USUAL[dimension]
     return [usual, *(name for name in PRIMITIVES[dimension] if name != usual)]
@@ -119,7 +120,7 @@ def may_become(primitive: str | None) -> list[Primitive]:
     """The entries that a spline may be of if this is asked for: several for "best", in the plane.
 
     >>> [entry.name for entry in may_become("best")], [entry.dimension for entry in may_become("bihelix")]
-    (['parabola', 'conic', 'biarc'], [3])
+    (['parabola', 'conic', 'biarc', 'cubic'], [3])
     """
     if primitive == "best":
         return [PRIMITIVES[2][name] for name in candidates(2)]
@@ -130,6 +131,6 @@ def candidates(dimension: int) -> list[str]:
     """The primitives among which "best" chooses: those whose pieces meet with a common tangent.
 
     >>> candidates(2)
-    ['parabola', 'conic', 'biarc']
+    ['parabola', 'conic', 'biarc', 'cubic']
     """
     return [name for name, primitive in PRIMITIVES[dimension].items() if primitive.smooth]

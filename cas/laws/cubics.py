@@ -1,0 +1,108 @@
+"""The laws of cubics that are tangent at both ends, with both arms free: the least |D| of one or three.
+
+`osculant.cas.asymptotics.free_cubics` derives the contact conditions (C) and (D) and both constants. Every
+real root of (C) belongs to a cubic of least error among its neighbours; the best of them has the least |D|.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache, partial
+from typing import Any
+
+from osculant.cas.asymptotics import free_cubics
+from osculant.cas.errors import UndecidedError
+from osculant.cas.jets.plane import PlaneJet
+from osculant.cas.laws.law import Law
+from osculant.cas.numbers.algebraic import Algebraic
+
+#: the jet that (D) takes
+ORDER = free_cubics.CONTACTS
+
+
+def residuals(jet: PlaneJet) -> list[Any]:
+    """D for every real root of (C), in the order of the roots, at a jet of balls; their midpoints count.
+
+    >>> from flint import arb
+    >>> rows = (2, 0, -2, 0, 2, 0, -2), (0, 2, 0, -2, 0, 2, 0)
+    >>> circle = PlaneJet(*([arb(c) for c in row] for row in rows))
+    >>> [round(float(value) * 128 * 2**5, 6) for value in residuals(circle)]
+    [64.0, 1.0, 64.0]
+    """
+    factorials = [math.factorial(n) for n in range(ORDER + 1)]
+    x, y = ([c / f for c, f in zip(row, factorials)] for row in jet.coordinates)
+    heights = [c.mid() for c in free_cubics.tangent_graph(x, y, lambda value: jet.root(value, 2))]
+    condition, thirds, residual = _compiled()
+    found = []
+    for root in _real_roots(condition(*heights)):
+        (above, below), (other_above, other_below) = thirds(root, *heights)
+        if abs(other_below).mid() > abs(below).mid():
+            above, below = other_above, other_below
+        found.append(residual(root, above / below, *heights))
+    return found
+
+
+def _real_roots(coefficients: list[Any]) -> list[Any]:
+    """The real roots of a polynomial, the highest coefficient first, in increasing order."""
+    from flint import acb, acb_poly
+
+    poly = acb_poly([acb(c) for c in reversed(coefficients)])
+    while poly.degree() >= 0 and poly[poly.degree()].contains(0):
+        poly = acb_poly(poly.coeffs()[:-1])
+    if poly.degree() < 1:
+        return []
+    try:
+        roots = poly.roots()
+    except (ValueError, ZeroDivisionError):
+        raise UndecidedError("Two cubics with six contacts coincide here: take another place.") from None
+    return sorted((root.real.mid() for root in roots if root.imag.contains(0)), key=float)
+
+
+@cache
+def _compiled() -> Any:
+    """Functions of numbers: coefficients of (C), both quotients that are b, and D."""
+    import sympy as sp
+
+    contact, heights = free_cubics.contact(), free_cubics.Y
+    options: dict[str, Any] = {"modules": [{}]}
+    thirds = [sp.fraction(sp.together(third)) for third in contact.third()]
+    return (
+        sp.lambdify(heights, sp.Poly(contact.condition, free_cubics.a).all_coeffs(), **options),
+        sp.lambdify((free_cubics.a, *heights), thirds, **options),
+        sp.lambdify((free_cubics.a, free_cubics.b, *heights), contact.residual, **options),
+    )
+
+
+def least(jet: PlaneJet) -> Any:
+    """min |D| over the real roots of (C), at a jet of balls; infinite where there is none, at flat points."""
+    from flint import arb
+
+    return min((abs(value) for value in residuals(jet)), key=float, default=arb.pos_inf())
+
+
+def branch(jet: PlaneJet) -> tuple[int, int, bool]:
+    """How many cubics have six contacts, which of them is the best, and whether its D is positive."""
+    found = residuals(jet)
+    if not found:
+        return 0, 0, False
+    best = min(range(len(found)), key=lambda i: abs(float(found[i])))
+    return len(found), best, bool(found[best] > 0)
+
+
+def _constant(name: str) -> Algebraic:
+    value: Algebraic = getattr(free_cubics, name)()
+    return value
+
+
+CUBIC = Law(
+    "cubic",
+    "hausdorff",
+    order=ORDER,
+    jet=ORDER,
+    invariant=least,
+    constant=partial(_constant, "distance_constant"),
+    source="osculant.cas.asymptotics.free_cubics",
+    branch=branch,
+)
+LAWS = (CUBIC, replace(CUBIC, metric="area", order=ORDER + 1, constant=partial(_constant, "area_constant")))

@@ -1,0 +1,1 @@
+"""G1 cubics with both arms free: kernels."""

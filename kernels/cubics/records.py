@@ -1,0 +1,67 @@
+"""Fits with cubics, by distance and by area, as records (`osculant.kernels.operations`)."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from osculant.kernels.cubics import contact, exchange, minimax, scan
+from osculant.kernels.cubics.exchange import Arms
+from osculant.kernels.curves.plane import IN_THE_PLANE, Frame, Source
+from osculant.kernels.generated import laws
+from osculant.kernels.jit import kernel
+from osculant.kernels.operations import SHAPE, Rules, register
+
+
+class Cubic(NamedTuple):
+    """The cubic, tangent at both ends, with the least Hausdorff distance."""
+
+
+class Row(NamedTuple):
+    """What a row of the table says: both ends with their tangents, and the arms along them."""
+
+    a: float
+    b: float
+    error: float
+    reason: float
+    x0: float
+    y0: float
+    tx0: float
+    ty0: float
+    x3: float
+    y3: float
+    tx3: float
+    ty3: float
+    a0: float
+    a3: float
+
+
+@kernel
+def record(fit: Any, row: np.ndarray[Any, Any], arms: Arms, start: Frame, end: Frame, source: Source) -> None:
+    """Write the shape of a cubic into a `Row`."""
+    row[SHAPE], row[SHAPE + 1], row[SHAPE + 2], row[SHAPE + 3] = start.x, start.y, start.tx, start.ty
+    row[SHAPE + 4], row[SHAPE + 5], row[SHAPE + 6], row[SHAPE + 7] = end.x, end.y, end.tx, end.ty
+    row[SHAPE + 8], row[SHAPE + 9] = arms.a0, arms.a3
+
+
+#: no usable cubic was seen for arcs that turn by more
+TURNING = 4.7
+#: what fast steps have to come to: corrections that Newton's method squares
+SETTLED = 1e-9
+#: equidistant samples that tell four peaks
+CHECKED = 16
+
+register(
+    Cubic,
+    len(Row._fields),
+    **IN_THE_PLANE,
+    workspace=scan.workspace,
+    record=record,
+    rules=Rules(float(laws.CUBIC_ORDER), SETTLED, checked=CHECKED, turning=TURNING),
+    begin=exchange.begin,
+    step=exchange.visit,
+    confirm=minimax.confirm,
+    best=minimax.best,
+    density=contact.density,
+)

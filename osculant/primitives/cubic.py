@@ -1,0 +1,58 @@
+"""Cubic Bézier curves, tangent to the curve at both ends, with both arms free."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from osculant.primitives.primitive import Primitive, user_point
+
+if TYPE_CHECKING:
+    from osculant.kernels.curves.plane import Place
+    from osculant.pieces.conics import Point
+    from osculant.pieces.cubics import Cubic
+    from osculant.pieces.piece import Floats
+
+
+def least_distance(order: int) -> Any:
+    """The kernels' record of the cubic with the least Hausdorff distance."""
+    from osculant.kernels.cubics.records import Cubic
+
+    return Cubic()
+
+
+def cubic_piece(values: Floats, place: Place, error: float) -> Cubic:
+    """A row of the kernels' table (`kernels.cubics.records.Row`) as a cubic."""
+    from osculant.kernels.cubics.records import Row
+    from osculant.pieces.cubics import Cubic
+
+    row = Row(*values.tolist())
+    arm0, arm3 = row.a0 / place.scale, row.a3 / place.scale
+    start, end = user_point(place, row.x0, row.y0), user_point(place, row.x3, row.y3)
+    first = start[0] + arm0 * row.tx0, start[1] + arm0 * row.ty0 * place.side
+    last = end[0] - arm3 * row.tx3, end[1] - arm3 * row.ty3 * place.side
+    return Cubic((row.a, row.b), start, (first, last), end, error)
+
+
+def segment(interval: tuple[float, float], start: Point, end: Point) -> Any:
+    """The straight piece between two points."""
+    from osculant.pieces.conics import Piece
+
+    return Piece.segment(interval, start, end)
+
+
+CUBIC = Primitive(
+    name="cubic",
+    plural="cubics",
+    dimension=2,
+    arcs=("cubic", "segment"),
+    methods={"hausdorff": {"least-distance": least_distance}},
+    theory=(),
+    itself=None,
+    # where D keeps its sign and the number of cubics with six contacts does not change, no longer arc of
+    # thousands had a smaller error; elsewhere errors do fall: an observation, no proof
+    minimal="unknown",
+    piece=cubic_piece,
+    segment=segment,
+    splits=(),
+    monotone=False,
+)
