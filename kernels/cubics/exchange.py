@@ -190,15 +190,15 @@ def visit(
 @kernel
 def likely_rival(
     source: Source, a: float, b: float, ends: Ends, a0: float, a3: float, error: float, space: Space
-) -> Level:
-    """Another cubic that has the area and moment of the arc, and three peaks lower than the error.
+) -> tuple[Level, int, int]:
+    """(cubic, sure, count): another one near the arc's area and moment, with three peaks below the error.
 
-    Its error is NaN if there is none.  Where two such cubics have merged, the one near the place is measured
-    at three places as it is.
+    Its error is NaN if there is none.  The starts are left in ``space``: those from ``sure`` to ``count`` are
+    near places where two have merged, and what is there has no three peaks.
     """
     best = Level(math.nan, math.nan, math.nan, math.nan, math.nan, math.nan, False)
     arms = space.arms
-    sure, _ = starts(source, a, b, ends, space.rows, space.zeros, arms)
+    sure, count = starts(source, a, b, ends, space.rows, space.zeros, arms)
     nearest, away = -1, math.inf
     for i in range(sure):
         off = abs(arms[i, 0] - a0) + abs(arms[i, 1] - a3)
@@ -213,4 +213,4 @@ def likely_rival(
         lower = error if math.isnan(best.error) else best.error
         if other.error < BETTER * lower:
             best = other
-    return best
+    return best, sure, count

@@ -12,16 +12,18 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.cubics.arms import SHORTEST, Ends, ends_of
+from osculant.kernels.cubics.arms import SHORTEST, Ends, ends_of, reach
 from osculant.kernels.cubics.exchange import Arms, level, likely_rival
 from osculant.kernels.cubics.scan import BY0, BY3, D, Space, look, measure, peaks_of, trace
-from osculant.kernels.cubics.starts import starts, usual
+from osculant.kernels.cubics.starts import starts
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.generated import cubics as generated
 from osculant.kernels.jit import kernel
 
 #: rounds from one start, the promise of a linear program that ends them, and that of a rival
 ROUNDS, ENOUGH = 40, 1e-9
+#: differences of arms to start from besides, in parts of the sum
+TILTS = (0.0, 0.5, -0.5, 0.85, -0.85)
 #: peaks are visited so often for a linear program
 BRIEF = 2
 #: the trust region at first, in parts of the arms, and the least one
@@ -30,6 +32,8 @@ REGION, NARROWEST = 0.1, 1e-12
 CONSTRAINTS, AMONG = 20, 7
 #: what fast steps level peaks to, after the search
 CALM = 1e-9
+#: a rival that has no three peaks is looked at so closely, and sought with care if it is so much lower
+RIVAL_POINTS, RIVAL_ROUNDS, LOWER = 9, 4, 1.05
 
 
 @kernel
@@ -174,10 +178,12 @@ def best(
         return math.inf, Arms(math.nan, math.nan)
     _, tried = starts(source, a, b, ends, space.rows, space.zeros, space.arms)
     error, arm0, arm3 = math.inf, math.nan, math.nan
-    for i in range(tried + 1):
-        a0, a3 = usual(ends)
+    for i in range(tried + len(TILTS)):
         if i < tried:
             a0, a3 = space.arms[i, 0], space.arms[i, 1]
+        else:
+            arm = reach(ends)
+            a0, a3 = arm * (1.0 + TILTS[i - tried]), arm * (1.0 - TILTS[i - tried])
         value, a0, a3 = lowered(source, a, b, ends, a0, a3, count, ROUNDS, space)
         if value < error:
             error, arm0, arm3 = value, a0, a3
@@ -206,15 +212,26 @@ def confirm(
 ) -> tuple[float, Arms]:
     """(error, arms) of the cubic, measured from ``points`` samples or more; or of a better one, if there is.
 
-    All other cubics with the arc's area and moment are compared with it.
+    All other cubics with the arc's area and moment are compared with it, and those that merged ones leave.
     """
     ends = ends_of(start, end)
     error = measure(source, a, b, ends, arms.a0, arms.a3, points, space)
-    if error == 0.0:
+    if not 0.0 < error < math.inf:
         return error, arms
-    other = likely_rival(source, a, b, ends, arms.a0, arms.a3, error, space)
+    other, sure, merged = likely_rival(source, a, b, ends, arms.a0, arms.a3, error, space)
     if other.error < error:
         value = measure(source, a, b, ends, other.a0, other.a3, points, space)
         if value < error:
-            return value, Arms(other.a0, other.a3)
+            error, arms = value, Arms(other.a0, other.a3)
+    for i in range(sure, merged):
+        count = look(source, a, b, ends, RIVAL_POINTS, space.samples)
+        value, a0, a3 = lowered(
+            source, a, b, ends, space.arms[i, 0], space.arms[i, 1], count, RIVAL_ROUNDS, space
+        )
+        if value < LOWER * error:
+            count = look(source, a, b, ends, points, space.samples)
+            _, a0, a3 = lowered(source, a, b, ends, a0, a3, count, ROUNDS, space)
+            value = measure(source, a, b, ends, a0, a3, points, space)
+            if value < error:
+                error, arms = value, Arms(a0, a3)
     return error, arms

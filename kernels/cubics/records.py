@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from osculant.kernels.cubics import contact, exchange, minimax, scan
+from osculant.kernels.cubics import area_exchange, area_search, contact, exchange, minimax, scan
 from osculant.kernels.cubics.exchange import Arms
 from osculant.kernels.curves.plane import IN_THE_PLANE, Frame, Source
 from osculant.kernels.generated import laws
@@ -16,6 +16,10 @@ from osculant.kernels.operations import SHAPE, Rules, register
 
 class Cubic(NamedTuple):
     """The cubic, tangent at both ends, with the least Hausdorff distance."""
+
+
+class CubicArea(NamedTuple):
+    """The cubic, tangent at both ends, with the least area between."""
 
 
 class Row(NamedTuple):
@@ -47,21 +51,32 @@ def record(fit: Any, row: np.ndarray[Any, Any], arms: Arms, start: Frame, end: F
 
 #: no usable cubic was seen for arcs that turn by more
 TURNING = 4.7
-#: what fast steps have to come to: corrections that Newton's method squares
-SETTLED = 1e-9
+#: what fast steps have to come to: corrections that Newton's method squares, or the error of an area itself
+SETTLED, EXACT = 1e-9, 1e-12
 #: equidistant samples that tell four peaks
 CHECKED = 16
+
+ALIKE = {**IN_THE_PLANE, "workspace": scan.workspace, "record": record}
 
 register(
     Cubic,
     len(Row._fields),
-    **IN_THE_PLANE,
-    workspace=scan.workspace,
-    record=record,
+    **ALIKE,
     rules=Rules(float(laws.CUBIC_ORDER), SETTLED, checked=CHECKED, turning=TURNING),
     begin=exchange.begin,
     step=exchange.visit,
     confirm=minimax.confirm,
     best=minimax.best,
     density=contact.density,
+)
+register(
+    CubicArea,
+    len(Row._fields),
+    **ALIKE,
+    rules=Rules(float(laws.CUBIC_AREA_ORDER), EXACT, checked=CHECKED, turning=TURNING),
+    begin=area_exchange.begin,
+    step=area_exchange.visit,
+    confirm=area_search.confirm,
+    best=area_search.best,
+    density=contact.area_density,
 )

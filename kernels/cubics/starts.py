@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from osculant.kernels.cubics.arms import SHORTEST, Ends, reach
+from osculant.kernels.cubics.arms import SHORTEST, Ends
 from osculant.kernels.cubics.roots import COLUMNS, real_zeros, value
 from osculant.kernels.curves.plane import Source, sample
 from osculant.kernels.gauss import NODES, SIZES, WEIGHTS
@@ -77,10 +77,3 @@ def starts(
         if k == 0:
             sure = count
     return sure, count
-
-
-@kernel
-def usual(ends: Ends) -> tuple[float, float]:
-    """The arms of a circular arc."""
-    arm = reach(ends)
-    return arm, arm

@@ -20,6 +20,13 @@ def least_distance(order: int) -> Any:
     return Cubic()
 
 
+def least_area(order: int) -> Any:
+    """The kernels' record of the cubic with the least area between."""
+    from osculant.kernels.cubics.records import CubicArea
+
+    return CubicArea()
+
+
 def cubic_piece(values: Floats, place: Place, error: float) -> Cubic:
     """A row of the kernels' table (`kernels.cubics.records.Row`) as a cubic."""
     from osculant.kernels.cubics.records import Row
@@ -45,7 +52,10 @@ CUBIC = Primitive(
     plural="cubics",
     dimension=2,
     arcs=("cubic", "segment"),
-    methods={"hausdorff": {"least-distance": least_distance}},
+    methods={
+        "hausdorff": {"equioscillating": least_distance},
+        "area": {"minimal-area": least_area},
+    },
     theory=(),
     itself=None,
     # where D keeps its sign and the number of cubics with six contacts does not change, no longer arc of
