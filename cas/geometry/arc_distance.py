@@ -1,4 +1,4 @@
-"""How far an arc of a curve is from an arc of a conic, enclosed from both sides in ball arithmetic.
+"""How far an arc of a curve is from one of a conic or a cubic, enclosed from both sides in ball arithmetic.
 
 A continuous map v of the curve's parameters onto [0, 1] makes sup |α(u) − X(v(u))| an upper bound of the
 Hausdorff distance: every point of either has one of the other so near. Any such map will do, so floats may
@@ -22,6 +22,7 @@ from typing import Any
 from flint import arb, arb_poly, ctx
 
 from osculant.cas.geometry.conic_arcs import ConicArc, Pair
+from osculant.cas.geometry.cubic_arcs import CubicArc
 from osculant.cas.numbers.balls import ball
 from osculant.cas.numbers.enclosures import shortened, supremum
 
@@ -42,6 +43,8 @@ STEPS, SETTLED = 60, 1e-15
 
 #: (ball, order) → Taylor coefficients 0…order of x and y at all points of the ball
 Coefficients = Callable[[Any, int], Sequence[Sequence[Any]]]
+#: the arcs that curves are compared with
+PlaneArc = ConicArc | CubicArc
 
 
 @dataclass(frozen=True)
@@ -59,14 +62,14 @@ class Distance:
     worst: Any
 
 
-def distance(curve: Coefficients, low: Any, high: Any, arc: ConicArc, tolerance: float = 0.0) -> Distance:
-    """Enclose the Hausdorff distance of the curve from ``low`` to ``high`` and a conic arc.
+def distance(curve: Coefficients, low: Any, high: Any, arc: PlaneArc, tolerance: float = 0.0) -> Distance:
+    """Enclose the Hausdorff distance of the curve from ``low`` to ``high`` and an arc.
 
     Args:
         curve: its Taylor coefficients.
         low: a ball around the beginning of its interval; what holds, holds for all numbers in it.
         high: likewise its end.
-        arc: the conic arc.
+        arc: the arc of a conic or a cubic.
         tolerance: bounds are sharpened to show, where they can, that the distance is within it.
 
     Returns the enclosure; its upper bound is infinite where the curve has no finite series.
@@ -112,13 +115,13 @@ def distance(curve: Coefficients, low: Any, high: Any, arc: ConicArc, tolerance:
     return Distance(below, upper.sqrt().upper(), top.at, ball(worst.begin, worst.end))
 
 
-def from_point(curve: Coefficients, at: Any, arc: ConicArc, foot: float = 0.5) -> Any:
-    """A lower bound of the distance of the curve's point at ``at`` from a conic arc.
+def from_point(curve: Coefficients, at: Any, arc: PlaneArc, foot: float = 0.5) -> Any:
+    """A lower bound of the distance of the curve's point at ``at`` from an arc.
 
     Args:
         curve: its Taylor coefficients.
         at: a ball around the parameter.
-        arc: the conic arc.
+        arc: the arc of a conic or a cubic.
         foot: about where the nearest point of the arc is.
 
     >>> from osculant.cas.jets.balls import CurveBalls
@@ -170,7 +173,7 @@ class _Part:
         end: Any,
         first: float,
         last: float,
-        arc: ConicArc,
+        arc: PlaneArc,
         goal: Callable[[Any], Any],
     ) -> None:
         self.begin, self.end, self.first, self.last = begin, end, first, last
@@ -200,7 +203,7 @@ class _Part:
             self.upper = arb.pos_inf()
 
 
-def _local(curve: Coefficients, at: Any, over: Any, half: Any, arc: ConicArc) -> list[list[Any]] | None:
+def _local(curve: Coefficients, at: Any, over: Any, half: Any, arc: PlaneArc) -> list[list[Any]] | None:
     """The curve less P₀ as polynomials in s, the last coefficients being balls that cover the remainder."""
     centred, whole = curve(at, ORDER), curve(over, ORDER)
     rows = [[*near[:-1], far[-1]] for near, far in zip(centred, whole)]
@@ -212,21 +215,21 @@ def _local(curve: Coefficients, at: Any, over: Any, half: Any, arc: ConicArc) ->
     return [[row[0] - p, *(c * h for c, h in zip(row[1:], powers[1:]))] for row, p in zip(rows, arc.start)]
 
 
-def _squared(arc: ConicArc, v: Any, point: Sequence[Any]) -> tuple[Any, Any]:
+def _squared(arc: PlaneArc, v: Any, point: Sequence[Any]) -> tuple[Any, Any]:
     """Numerator and denominator of |α − X(v)|², α − P₀ and v being polynomials; not of high degrees."""
     x, y, total = arc.off(v, (arb_poly(point[0]), arb_poly(point[1])))
     x, y = (arb_poly(shortened(p.coeffs(), ORDER + 2)) for p in (x, y))
     return x * x + y * y, total
 
 
-def _feet(rows: list[list[Any]], arc: ConicArc, first: float, last: float) -> list[float]:
+def _feet(rows: list[list[Any]], arc: PlaneArc, first: float, last: float) -> list[float]:
     """Parameters of the points of the conic arc nearest to the curve at the nodes, both ends pinned."""
     x, y = ([float(c) for c in row] for row in rows)
     inner = _nodes(DEGREE)[1:-1]
     return [first, *(arc.foot((_horner(x, s), _horner(y, s)), first, last) for s in inner), last]
 
 
-def _nearest(curve: Coefficients, at: Any, arc: ConicArc, first: float, last: float) -> tuple[float, Any]:
+def _nearest(curve: Coefficients, at: Any, arc: PlaneArc, first: float, last: float) -> tuple[float, Any]:
     """About where on part of the conic arc the nearest point to the curve's is, and the squared distance."""
     x, y = (row[0] - p for row, p in zip(curve(at, 0), arc.start))
     foot = arc.foot((float(x), float(y)), first, last)

@@ -15,11 +15,11 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError
-from osculant.pieces.chain import conic_arcs
+from osculant.pieces.chain import conic_arcs, plane_arcs
+from osculant.pieces.cubics import Cubic
 
 if TYPE_CHECKING:
-    from osculant.cas.geometry.arc_distance import Coefficients
-    from osculant.cas.geometry.conic_arcs import ConicArc
+    from osculant.cas.geometry.arc_distance import Coefficients, PlaneArc
     from osculant.curves.plane import PlaneCurve
     from osculant.pieces.piece import PieceLike
 
@@ -121,7 +121,7 @@ def certify(
 
     Returns the certificate; a piece where no bound was found has the reason.
 
-    Raises DomainError for pieces that leave a gap or are no conic arcs in the plane, and without a formula.
+    Raises DomainError for pieces that leave a gap or are no arcs in the plane, and without a formula.
 
     Guarantee: both bounds are proved in ball arithmetic, whatever the floats that chose the maps. Where the
     curve's points have one nearest point each on the piece they are usually within 10⁻⁶ of each other; where
@@ -137,7 +137,7 @@ def certify(
     from osculant.curves.plane import PlaneCurve
 
     began = time.perf_counter()
-    conic_arcs(pieces)
+    plane_arcs(pieces)
     if not isinstance(curve, PlaneCurve):
         text = getattr(curve, "text", "this curve")
         raise DomainError(f"Of {text} only the text is known: certify what approximate returns.")
@@ -191,10 +191,16 @@ def _bounds(
     return PieceBounds(lower, upper, at, reason)
 
 
-def _arcs(piece: PieceLike) -> list[ConicArc]:
+def _arcs(piece: PieceLike) -> list[PlaneArc]:
     from osculant.cas.geometry.conic_arcs import ConicArc
+    from osculant.cas.geometry.cubic_arcs import CubicArc
 
-    return [ConicArc(arc.start, arc.middle, arc.end, arc.weight) for arc in conic_arcs([piece])]
+    return [
+        CubicArc(arc.start, arc.controls, arc.end)
+        if isinstance(arc, Cubic)
+        else ConicArc(arc.start, arc.middle, arc.end, arc.weight)
+        for arc in plane_arcs([piece])
+    ]
 
 
 def _cuts(balls: Coefficients, piece: PieceLike, ends: Knots) -> list[Any]:
