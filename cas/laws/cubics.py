@@ -19,6 +19,8 @@ from osculant.cas.numbers.algebraic import Algebraic
 
 #: the jet that (D) takes
 ORDER = free_cubics.CONTACTS
+#: Newton steps from isolated roots, which have some 30 bits; each doubles them
+STEPS = 5
 
 
 def residuals(jet: PlaneJet) -> list[Any]:
@@ -30,6 +32,7 @@ def residuals(jet: PlaneJet) -> list[Any]:
     >>> [round(float(value) * 128 * 2**5, 6) for value in residuals(circle)]
     [64.0, 1.0, 64.0]
     """
+    jet.point(ORDER)  # refuses shorter ones
     factorials = [math.factorial(n) for n in range(ORDER + 1)]
     x, y = ([c / f for c, f in zip(row, factorials)] for row in jet.coordinates)
     heights = [c.mid() for c in free_cubics.tangent_graph(x, y, lambda value: jet.root(value, 2))]
@@ -45,7 +48,7 @@ def residuals(jet: PlaneJet) -> list[Any]:
 
 def _real_roots(coefficients: list[Any]) -> list[Any]:
     """The real roots of a polynomial, the highest coefficient first, in increasing order."""
-    from flint import acb, acb_poly
+    from flint import acb, acb_poly, arb_poly
 
     poly = acb_poly([acb(c) for c in reversed(coefficients)])
     while poly.degree() >= 0 and poly[poly.degree()].contains(0):
@@ -56,7 +59,13 @@ def _real_roots(coefficients: list[Any]) -> list[Any]:
         roots = poly.roots()
     except (ValueError, ZeroDivisionError):
         raise UndecidedError("Two cubics with six contacts coincide here: take another place.") from None
-    return sorted((root.real.mid() for root in roots if root.imag.contains(0)), key=float)
+    found = [root.real.mid() for root in roots if root.imag.contains(0)]
+    real = arb_poly([c.real for c in poly.coeffs()])
+    slope = real.derivative()
+    for _ in range(STEPS):
+        found = [x - (real(x) / slope(x)).mid() for x in found]
+        found = [x.mid() for x in found if x.is_finite()]
+    return sorted(found, key=float)
 
 
 @cache

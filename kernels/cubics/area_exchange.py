@@ -130,24 +130,13 @@ def crossed(
 
 @kernel
 def from_starts(
-    source: Source, a: float, b: float, ends: Ends, near0: float, near3: float, below: float, calm: float,
-    space: Space,
-) -> Crossed:  # fmt: skip
-    """The best cubic below an area of those that have the arc's area and moment, but the one near given arms.
-
-    NaN arms are near nothing.
-    """
+    source: Source, a: float, b: float, ends: Ends, below: float, calm: float, space: Space
+) -> Crossed:
+    """The best cubic below an area near those with the arc's area and moment; its area NaN if none is."""
     arms = space.arms
     sure, _ = starts(source, a, b, ends, space.rows, space.zeros, arms)
-    nearest, away = -1, math.inf
-    for i in range(sure):
-        off = abs(arms[i, 0] - near0) + abs(arms[i, 1] - near3)
-        if off < away:
-            nearest, away = i, off
     found = Crossed(math.nan, math.nan, math.nan, math.nan, math.nan, False)
     for i in range(sure):
-        if i == nearest:
-            continue
         x, y = generated.CROSSING, 1.0 - generated.CROSSING
         other = crossed(source, a, b, ends, arms[i, 0], arms[i, 1], x, y, calm)
         if other.area < below:
@@ -175,7 +164,7 @@ def visit(
             a0, a3 = unit * (mean + half), unit * (mean - half)
             found = crossed(source, a, b, ends, a0, a3, trail.first, trail.last, calm)
     if math.isnan(found.area):
-        found = from_starts(source, a, b, ends, math.nan, math.nan, math.inf, calm, space)
+        found = from_starts(source, a, b, ends, math.inf, calm, space)
     mean, half = 0.5 * (found.a0 + found.a3) / unit, 0.5 * (found.a0 - found.a3) / unit
     moved = AreaTrail(found.first, found.last, mean, half, h)
     return found.area, Arms(found.a0, found.a3), found.settled, moved

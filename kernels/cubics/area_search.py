@@ -148,7 +148,7 @@ def confirm(
     area = measure(source, a, b, ends, arms.a0, arms.a3, points, space)
     if area == 0.0:
         return area, arms
-    other = from_starts(source, a, b, ends, arms.a0, arms.a3, BETTER * area, LIKELY, space)
+    other = from_starts(source, a, b, ends, BETTER * area, LIKELY, space)
     if other.area < area:
         value = measure(source, a, b, ends, other.a0, other.a3, points, space)
         if value < area:

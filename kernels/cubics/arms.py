@@ -70,6 +70,23 @@ def reach(ends: Ends) -> float:
 
 
 @kernel
+def goes_along(ends: Ends, a0: float, a3: float, low: float, high: float, tx: float, ty: float) -> bool:
+    """Whether B′ has a positive component along a direction at all parameters between two.
+
+    It is so if its three Bernstein coefficients are there.
+    """
+    first, last = a0 * (ends.tx0 * tx + ends.ty0 * ty), a3 * (ends.tx3 * tx + ends.ty3 * ty)
+    middle = ends.dx * tx + ends.dy * ty - first - last
+    left = (1.0 - low) * first + low * middle, (1.0 - low) * middle + low * last
+    right = (1.0 - high) * first + high * middle, (1.0 - high) * middle + high * last
+    return (
+        (1.0 - low) * left[0] + low * left[1] > 0.0
+        and (1.0 - high) * left[0] + high * left[1] > 0.0
+        and (1.0 - high) * right[0] + high * right[1] > 0.0
+    )
+
+
+@kernel
 def see(ends: Ends, a0: float, a3: float, at: Sample, guess: float) -> Seen:
     """The cubic with these arms from a sample of the curve, the foot being sought from a guess."""
     rx, ry = at.x - ends.x, at.y - ends.y

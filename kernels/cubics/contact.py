@@ -15,8 +15,8 @@ from osculant.kernels.jit import kernel
 
 #: the order of the jet
 ORDER = 6
-#: roots beyond this, of curves of size 1, belong to cubics with no use
-FARTHEST = 1e9
+#: roots beyond this, in units in which the largest coefficient is 1, belong to cubics with no use
+FARTHEST = 1e6
 
 
 @kernel
@@ -51,8 +51,15 @@ def tangent_graph(jet: np.ndarray[Any, Any], heights: np.ndarray[Any, Any]) -> f
 
 @kernel
 def least_residual(heights: np.ndarray[Any, Any]) -> float:
-    """min |D| over the real roots of (C); infinite if there is none."""
+    """min |D| over the real roots of (C); infinite if there is none.  ``heights`` are spoilt."""
     rows, found = np.zeros((COLUMNS, COLUMNS)), np.empty((2, COLUMNS + 1))
+    unit = 0.0  # of the curve's own: the largest coefficient is 1 in it
+    for n in range(2, ORDER + 1):
+        unit = max(unit, abs(heights[n]) ** (1.0 / (n - 1)))
+    if not 0.0 < unit < math.inf:
+        return 0.0 if unit == 0.0 else math.inf
+    for n in range(2, ORDER + 1):
+        heights[n] /= unit ** (n - 1)
     y2, y3, y4, y5, y6 = heights[2], heights[3], heights[4], heights[5], heights[6]
     rows[0, 3], rows[0, 2], rows[0, 1], rows[0, 0] = generated.condition(y2, y3, y4, y5)
     least = math.inf
@@ -61,7 +68,7 @@ def least_residual(heights: np.ndarray[Any, Any]) -> float:
         above, below, other_above, other_below = generated.thirds(a, y2, y3, y4, y5)
         b = above / below if abs(below) > abs(other_below) else other_above / other_below
         least = min(least, abs(generated.residual(a, b, y2, y3, y4, y5, y6)))
-    return least
+    return least * unit ** (ORDER - 1)
 
 
 @kernel

@@ -189,9 +189,9 @@ def visit(
 
 @kernel
 def likely_rival(
-    source: Source, a: float, b: float, ends: Ends, a0: float, a3: float, error: float, space: Space
+    source: Source, a: float, b: float, ends: Ends, error: float, space: Space
 ) -> tuple[Level, int, int]:
-    """(cubic, sure, count): another one near the arc's area and moment, with three peaks below the error.
+    """(cubic, sure, count): one near the arc's area and moment, with three peaks below the error.
 
     Its error is NaN if there is none.  The starts are left in ``space``: those from ``sure`` to ``count`` are
     near places where two have merged, and what is there has no three peaks.
@@ -199,14 +199,7 @@ def likely_rival(
     best = Level(math.nan, math.nan, math.nan, math.nan, math.nan, math.nan, False)
     arms = space.arms
     sure, count = starts(source, a, b, ends, space.rows, space.zeros, arms)
-    nearest, away = -1, math.inf
     for i in range(sure):
-        off = abs(arms[i, 0] - a0) + abs(arms[i, 1] - a3)
-        if off < away:
-            nearest, away = i, off
-    for i in range(sure):
-        if i == nearest:
-            continue
         other = level(
             source, a, b, ends, arms[i, 0], arms[i, 1], generated.FIRST, 0.5, generated.LAST, LIKELY
         )

@@ -149,7 +149,9 @@ def lowered(
         promise = error - target
         if not promise > ENOUGH * error or region <= NARROWEST * (a0 + a3):
             break
-        new0, new3 = a0 + by_sum + by_difference, a3 + by_sum - by_difference
+        shortest = SHORTEST * ends.chord
+        new0 = max(shortest, a0 + by_sum + by_difference)
+        new3 = max(shortest, a3 + by_sum - by_difference)
         value, found = looked(source, a, b, ends, new0, new3, count, space)
         if value < math.inf:
             size = gather(space, found, count, table)
@@ -218,7 +220,7 @@ def confirm(
     error = measure(source, a, b, ends, arms.a0, arms.a3, points, space)
     if not 0.0 < error < math.inf:
         return error, arms
-    other, sure, merged = likely_rival(source, a, b, ends, arms.a0, arms.a3, error, space)
+    other, sure, merged = likely_rival(source, a, b, ends, error, space)
     if other.error < error:
         value = measure(source, a, b, ends, other.a0, other.a3, points, space)
         if value < error:

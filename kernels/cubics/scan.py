@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from osculant.kernels.cubics.arms import Ends, Seen, see
+from osculant.kernels.cubics.arms import Ends, Seen, goes_along, see
 from osculant.kernels.cubics.roots import COLUMNS as POLYNOMIAL
 from osculant.kernels.cubics.starts import MOST
 from osculant.kernels.curves.plane import Sample, Source, sample
@@ -93,9 +93,11 @@ def trace(ends: Ends, a0: float, a3: float, samples: np.ndarray[Any, Any], count
         seen = see(ends, a0, a3, at_row(row), foot)
         if not (seen.foot > foot or (i == 0 and seen.foot >= 0.0)):
             return False
+        if not goes_along(ends, a0, a3, foot, seen.foot, row[2], row[3]):
+            return False
         foot = seen.foot
         row[FOOT], row[D], row[SLOPE], row[BY0], row[BY3] = seen.foot, seen.d, seen.slope, seen.by0, seen.by3
-    return True
+    return goes_along(ends, a0, a3, foot, 1.0, ends.tx3, ends.ty3)
 
 
 @kernel

@@ -20,7 +20,7 @@ from osculant.kernels.jit import kernel
 #: the rule of `gauss` for area and moment
 RULE = 2
 #: pairs of arms at most, and the longest arm in parts of the arc's length
-MOST, LONGEST = 10, 1.0
+MOST, LONGEST = 10, 4.0
 #: a chord shorter than this part of the arc has no direction
 SHORT = 1e-9
 

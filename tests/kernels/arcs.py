@@ -22,6 +22,7 @@ from osculant.kernels.conics.records import (
     ParabolaArea,
 )
 from osculant.kernels.course import lay_out
+from osculant.kernels.cubics.records import Cubic, CubicArea
 from osculant.kernels.curves import plane, space
 from osculant.kernels.jit import kernel
 from osculant.kernels.polygons.records import Chord, ChordArea
@@ -42,11 +43,13 @@ PLANE = (
     Conic(),
     Biarc(),
     Chord(),
+    Cubic(),
     ParabolaArea(),
     EquisymmetricConic(),
     LeastAreaConic(),
     EquisymmetricBiarc(),
     ChordArea(),
+    CubicArea(),
 )
 
 

@@ -52,7 +52,7 @@ def family(record):
 def test_every_family_is_there():
     families = {path.parent.name for path in jit.ROOM.glob("*/records.py")}
     assert families == {family(record) for record in RECORDS}
-    assert {"conics", "biarcs", "bihelices", "polygons"} <= families
+    assert {"conics", "biarcs", "bihelices", "polygons", "cubics"} <= families
 
 
 @EACH

@@ -138,12 +138,12 @@ def test_the_command_line_and_the_readme_list_them(capsys):
 
 
 def test_choices_that_do_not_exist():
-    with pytest.raises(DomainError, match="'cubic' is unknown: choose one of parabola, conic, biarc"):
-        choose("cubic", "hausdorff")
+    with pytest.raises(DomainError, match="'quartic' is unknown: choose one of parabola, conic, biarc"):
+        choose("quartic", "hausdorff")
     with pytest.raises(DomainError, match=r"^Bihelices approximate curves in space and t, t has two coord"):
         choose("bihelix", "hausdorff", curve="t, t")
     with pytest.raises(
-        DomainError, match=r"choose conic, parabola, biarc or polygon, or add a third coordinate"
+        DomainError, match=r"choose conic, parabola, biarc, cubic or polygon, or add a third coordinate"
     ):
         choose("bihelix", "hausdorff")
     with pytest.raises(
