@@ -51,8 +51,9 @@ def approximate(
 
     Args:
         curve: with its interval.
-        primitive: "parabola", "conic" (the default in the plane) or "biarc" (two circular arcs with a common
-            tangent, each piece turning by less than π, and by less than 2π where the curve is a circle);
+        primitive: "parabola", "conic" (the default in the plane), "biarc" (two circular arcs with a common
+            tangent, each piece turning by less than π, and by less than 2π where the curve is a circle) or
+            "cubic" (a Bézier curve, tangent at both ends with both arms free; it may pass inflections);
             "best" chooses the one that takes the fewest numbers to store (`Spline.choice` tells them; of
             equals the first named here), with the knots that ``split`` demands; in space "bihelix" (two
             helical arcs); in both "polygon" (inscribed chords, whose pieces are not tangent).

@@ -47,7 +47,7 @@ class Spline:
 
     Attributes:
         curve: the curve approximated, in the plane or in space.
-        primitive: "parabola", "conic", "biarc", in space "bihelix", or in both "polygon".
+        primitive: "parabola", "conic", "biarc", "cubic", in space "bihelix", or in both "polygon".
         metric: "hausdorff", where errors are distances, or "area", where each error is the area between a
             piece and its arc of the curve (all regions counted positive), and `error` is their sum.
         rule: how a piece is chosen among those tangent at both ends, as `osculant.approximate` names it;
@@ -58,8 +58,9 @@ class Spline:
             number of pieces: a smaller error): "proved", "by theory" (no check of its hypotheses beyond the
             isolation of special points) or "unknown". In the metric "area" among those of n pieces with
             areas of at most tolerance/n each. Of bihelices "proved" only where every stretch between split
-            points is one piece: their error is not monotone in the length of the arc. Of polygons among
-            inscribed ones.
+            points is one piece: their error is not monotone in the length of the arc. So it is of cubics, whose
+            error was seen to grow with the arc where the residual of six contacts keeps its sign, and to
+            fall elsewhere. Of polygons among inscribed ones.
         undecided: parameters of knots where it could not be decided whether theory demands a split.
         splits: parameters inside the interval where theory, or the user, demanded a knot.
         closed: whether it returns to where it began.
@@ -165,8 +166,8 @@ class Spline:
         """How many numbers store it: the coordinates of its start, and those of each piece from there on.
 
         In the plane a segment takes 2, an arc of a circle 3 (its end and a bulge), a parabola 4 (two control
-        points), a conic 5 (a weight besides), a biarc 6; in space a segment takes 3, an arc of a circle 5, a
-        helix 6, a bihelix 12.
+        points), a conic 5 (a weight besides), a biarc or a cubic 6; in space a segment takes 3, an arc of a
+        circle 5, a helix 6, a bihelix 12.
         """
         return self.chain.numbers
 
@@ -259,8 +260,8 @@ class Spline:
         where they do not apply), "metric", "tolerance", "pieces" (their number), "knots", "error",
         "error_kind", "errors", "predicted", "predicted_pieces", "predicted_error" (null where unknown or not
         finite), "minimal", "undecided", "splits" and "cusps" (parameters), "segments" (the pieces, as
-        `Piece.to_json`, `Biarc.to_json` or `SpacePiece.to_json` says), "certificate" (`Certificate.to_json`;
-        null: none was asked for).
+        `Piece.to_json`, `Biarc.to_json`, `Cubic.to_json` or `SpacePiece.to_json` says), "certificate"
+        (`Certificate.to_json`; null: none was asked for).
         """
         predicted = self.predicted
         finite = predicted is not None and math.isfinite(predicted)
