@@ -78,6 +78,7 @@ class Claim:
         uncertain: whether the printed form is the reading of a damaged text, one that loses large brackets,
             tall bars and overlines, so that the erratum may be the damage's and not the thesis's.
         given: the names of the claims that the check takes for granted.
+        own: whether the printed form is not the thesis's but what this project claimed earlier.
     """
 
     name: str
@@ -93,6 +94,7 @@ class Claim:
     slow: bool = False
     uncertain: bool = False
     given: tuple[str, ...] = ()
+    own: bool = False
 
     @property
     def chapter(self) -> str:
@@ -122,6 +124,7 @@ class Claim:
             "slow": self.slow,
             "uncertain": self.uncertain,
             "given": list(self.given),
+            "own": self.own,
             "derivation": self.derivation,
         }
 
@@ -202,14 +205,18 @@ def claim(
     slow: bool = False,
     uncertain: bool = False,
     given: Sequence[str] = (),
+    own: bool = False,
 ) -> Callable[[Check], Check]:
     """Register the decorated check as a claim; the arguments are those of `Claim`.
 
     Raises DomainError for a claim that could not fail (no wrong form), numerical evidence without a reason,
-    an erratum without its sentence, an uncertain print where none is stated, or a name used twice.
+    an erratum without its sentence, an uncertain print or an earlier form of our own where none is stated, or
+    a name used twice.
     """
     if uncertain and printed is None:
         raise DomainError(f"Claim {name!r} is uncertain of a printed form it does not state: add it.")
+    if own and printed is None:
+        raise DomainError(f"Claim {name!r} states no earlier form of our own: add it as printed.")
     if not wrong or (method is Method.NUMERICAL and not reason) or (printed is not None and not erratum):
         raise DomainError(f"Claim {name!r} lacks a wrong form, its reason or its erratum: add it.")
 
@@ -231,6 +238,7 @@ def claim(
             slow=slow,
             uncertain=uncertain,
             given=tuple(given),
+            own=own,
         )
         return check
 

@@ -57,7 +57,8 @@ def print_list(claims: Sequence[Claim]) -> None:
     rows = []
     for claim in claims:
         notes = {
-            "erratum": claim.erratum,
+            "erratum": claim.erratum and not claim.own,
+            "own erratum": claim.own,
             "uncertain": claim.uncertain,
             "open": claim.open,
             "slow": claim.slow,
@@ -76,7 +77,7 @@ def print_claim(judgement: Judgement) -> None:
         certificates.append(("as printed", "\n".join(judgement.against_printed.certificate)))
     forms = [("form", claim.form)]
     if claim.printed is not None:
-        forms = [("printed", claim.printed), ("corrected", claim.form)]
+        forms = [("earlier" if claim.own else "printed", claim.printed), ("corrected", claim.form)]
     rows = [
         ("claim", claim.name),
         ("statement", claim.statement),

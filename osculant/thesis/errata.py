@@ -26,7 +26,13 @@ The text of the thesis at hand lost large brackets, tall bars and overlines. Wha
 may be wrong in that text alone, and right in the thesis.
 
 """
+_OWN = r"""\section*{Errata of osculant}
+These are not of the thesis: osculant itself claimed the form printed here in an earlier version.
+
+"""
 _OPENING = r"\begin{description}\setlength{\itemsep}{0pt}\setlength{\parskip}{0pt}"
+#: what the wrong form is called, by whether it is our own
+_PRINTED = {False: "Form printed", True: "Form claimed earlier"}
 _TAIL = "\\end{document}\n"
 
 
@@ -38,7 +44,7 @@ def errata_document(verification: Verification) -> str:
 
     Returns the text: for each erratum its number, what is wrong, the printed and the correct form, how it was
     checked and the verdict, in the order of the thesis, those not checked last. Those whose print is
-    uncertain have a section of their own.
+    uncertain have a section of their own, and so have those that are not of the thesis but of osculant.
 
     Raises DomainError if there is no erratum among the claims.
     """
@@ -47,11 +53,17 @@ def errata_document(verification: Verification) -> str:
     found = [(claim, verdict) for claim, verdict in found if claim.erratum]
     if not found:
         raise DomainError("There is no erratum among the selected claims: select others.")
-    certain, uncertain = (
-        "\n".join(_entry(claim, verdict) for claim, verdict in found if claim.uncertain is damaged)
-        for damaged in (False, True)
+    certain, uncertain, own = (
+        "\n".join(_entry(claim, verdict) for claim, verdict in found if _kind(claim) == kind)
+        for kind in ("certain", "uncertain", "own")
     )
-    return _HEAD + certain + (f"\n{_DAMAGED}{uncertain}" if uncertain else "") + _TAIL
+    parts = [certain, f"{_DAMAGED}{uncertain}" if uncertain else "", f"{_OWN}{own}" if own else ""]
+    return _HEAD + "\n".join(part for part in parts if part) + _TAIL
+
+
+def _kind(claim: Claim) -> str:
+    """Whose erratum it is, and whether the print is certain."""
+    return "own" if claim.own else "uncertain" if claim.uncertain else "certain"
 
 
 def write_errata(path: str | os.PathLike[str], verification: Verification) -> None:
@@ -64,7 +76,7 @@ def _entry(claim: Claim, verdict: str) -> str:
     rows = [
         ("Correct", latex(claim.statement)),
         ("Erratum", latex(claim.erratum)),
-        *([] if claim.printed is None else [("Form printed", _formula(claim.printed))]),
+        *([] if claim.printed is None else [(_PRINTED[claim.own], _formula(claim.printed))]),
         ("Form correct", _formula(claim.form)),
         ("Checked by", latex(claim.method + given + (f": {claim.reason}" if claim.reason else ""))),
         ("Verdict", rf"\textbf{{{verdict}}}"),

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import random
 from itertools import pairwise
 from typing import Any
 
 import sympy as sp
 from mpmath import mp
 
-from osculant.cas.claims.chapter_3.sample_arcs import monotone_curvature, zeros_inside
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.examples import SPIRAL
-from osculant.cas.claims.proof import integers, read, split, vanishes
+from osculant.cas.claims.proof import read, split, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
 from osculant.cas.numbers.roots import root_between
@@ -216,46 +214,3 @@ def wronskian(form: str) -> Evidence:
     value = sp.expand(sp.Matrix(rows).det())
     k = sp.Symbol("k0")
     return vanishes(read(form, {"dk": dk, "k": k}) - value, f"Wronskian {value}")
-
-
-#: curves with certainly monotone affine curvature on the interval: graphs over x
-GRAPHS = ("x**2/2 + x**5/400", "1/(3 - x)**2", "(x + 2)**4")
-TRIALS = 12
-
-
-@claim(
-    "R3.2-2",
-    "A conic and an affine spiral arc meet in at most five points, counted with multiplicity; five are "
-    "possible.",
-    method=Method.NUMERICAL,
-    form="5",
-    wrong=("4", "6"),
-    reason="the Wronskian of X3.3-1 proves it for short arcs; for long ones the classical proof is "
-    "geometric.",
-)
-def five_points(form: str) -> Evidence:
-    """Conics through five random rational points of rational graphs, all zeros counted exactly.
-
-    That k is monotone on the interval is decided exactly as well: dk/dr has the sign of a polynomial in x
-    without zeros there.
-    """
-    x = sp.Symbol("x")
-    source = random.Random(32)
-    most, conics = 0, 0
-    for text in GRAPHS:
-        graph = read(text, {"x": x})
-        if not monotone_curvature(graph, x, sp.Rational(-1), sp.Rational(1)):
-            return Evidence(False, (f"k is not monotone on [−1, 1] for y = {text}",))
-        for _ in range(TRIALS):
-            places = sorted(sp.Rational(n, 50) for n in source.sample(range(-50, 51), 5))
-            rows = [[v.subs(x, at) for v in _monomials(x, graph)] for at in places]
-            (conic,) = sp.Matrix(rows).nullspace()
-            along = sum(k * v for k, v in zip(conic, _monomials(x, graph)))
-            most = max(most, zeros_inside(along, x, sp.Rational(-1), sp.Rational(1)))
-            conics += 1
-    line = f"{conics} conics through five points of {len(GRAPHS)} graphs on [−1, 1]: at most {most} zeros"
-    return Evidence((most,) == integers(form, 1), (line,))
-
-
-def _monomials(x: Any, y: Any) -> list[Any]:
-    return [x * x, x * y, y * y, x, y, sp.S.One]

@@ -112,8 +112,9 @@ def _pencils(text: str, low: str, high: str) -> tuple[BitangentPencil, ...]:
 
 @claim(
     "X3.4-4",
-    "On an affine spiral a bitangent conic that keeps its crossing moves away from the curve everywhere else "
-    "inside as the sub-arc that starts at a fixed point grows: displacement and both moons grow strictly.",
+    "On a strictly convex affine spiral arc a bitangent conic that keeps its crossing moves away from the "
+    "curve everywhere else inside as the sub-arc that starts at a fixed point grows: displacement and both "
+    "moons grow strictly.",
     method=Method.PROOF,
     given=("R3.2-2",),
     form="k monotone",
@@ -168,8 +169,8 @@ def _fixed_crossings_grow(arc: tuple[str, str, str]) -> Evidence:
 
 @claim(
     "X3.4-5",
-    "The least area between a sub-arc of an affine spiral that starts at a fixed point and its bitangent "
-    "conics grows strictly with the sub-arc.",
+    "The least area between a sub-arc of a strictly convex affine spiral arc that starts at a fixed point "
+    "and its bitangent conics grows strictly with the sub-arc.",
     method=Method.PROOF,
     given=("R3.2-2",),
     form="k monotone",
@@ -185,7 +186,8 @@ def least_grows(form: str) -> Evidence:
     to ∞ towards unbounded ones (turnings beyond π). So L(s) = A(s; c) with c < s.
     If L did not grow strictly, L(s) ≥ L(s′) for some s < s′, then L would have its least value on [s, s′] at
     some z > s, with a crossing c < z. For y < z with y > c and y ≥ s the conic through c then gives
-    L(y) ≤ A(y; c) < A(z; c) = L(z): a contradiction. That c is unique (conjecture 3.1.2) is not used. With
+    L(y) ≤ A(y; c) < A(z; c) = L(z): a contradiction. That c is unique (conjecture 3.1.2) is not used; going
+    from z down to y a bounded member stays bounded, as it moves towards the arc. With
     the largest |d| or the larger moon for the area this proves Propositions 3.3.4 and 3.4.2 as well.
 
     X3.4-3 is proved again here; on arcs of affine spirals all inequalities of the chain are computed. Across

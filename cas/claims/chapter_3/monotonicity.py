@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
 from itertools import pairwise
 from typing import Any
 
@@ -17,7 +16,7 @@ from osculant.cas.claims.examples import AFFINE_SPIRALS, SEXTIC, SPIRAL
 from osculant.cas.claims.proof import agrees, integers, read, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
-from osculant.cas.geometry.moons import equisymmetric, imbalance, least_area, moons
+from osculant.cas.geometry.moons import equisymmetric, least_area, moons
 
 #: arcs with k ≠ 0 and a sextactic point inside, up to where the distance or the area has fallen
 ACROSS = {"distance": (SEXTIC, "-1", "1"), "area": (SEXTIC, "-1", "0.9")}
@@ -62,9 +61,9 @@ def _grows(form: str, chosen: Any) -> Evidence:
 
 @claim(
     "proposition 3.3.4",
-    "The Hausdorff distance between a sub-arc of an affine spiral that starts at a fixed point and its best "
-    "bitangent "
-    "conic grows strictly with the sub-arc.",
+    "The Hausdorff distance between a sub-arc of a strictly convex affine spiral arc that starts at a fixed "
+    "point and its best bitangent conic grows strictly with the sub-arc; d is the first hit of the normal on "
+    "the side where the conic lies.",
     method=Method.PROOF,
     given=("R3.2-2",),
     form="k monotone",
@@ -86,9 +85,8 @@ def conic_monotone(form: str) -> Evidence:
 
 @claim(
     "proposition 3.4.2",
-    "The area between a sub-arc of an affine spiral that starts at a fixed point and its equisymmetric "
-    "conic grows "
-    "strictly with the sub-arc.",
+    "The area between a sub-arc of a strictly convex affine spiral arc that starts at a fixed point and its "
+    "equisymmetric conic grows strictly with the sub-arc.",
     method=Method.PROOF,
     given=("R3.2-2",),
     form="k monotone",
@@ -122,19 +120,20 @@ def equisymmetric_monotone(form: str) -> Evidence:
 
 @claim(
     "lemma 3.4.1",
-    "Among the bitangent conics of an affine spiral arc there is exactly one whose two moons have equal "
-    "areas: "
-    "A₋(σ*) = A₊(σ*) at one crossing σ* inside.",
+    "Among the bitangent conics of a strictly convex affine spiral arc there is exactly one whose two moons "
+    "have equal areas: A₋(σ*) = A₊(σ*) at one crossing σ* inside.",
     method=Method.PROOF,
+    given=("R3.2-2",),
     form="A_minus - A_plus",
     wrong=("A_minus - 2*A_plus", "A_minus", "A - A_plus", "A_minus^2 - A_plus^2"),
 )
 def equal_moons(form: str) -> Evidence:
     """A₋ grows from 0 and A₊ falls to 0 as the crossing σ moves on, since d is monotone in Q (R3.3-7).
 
-    So the form must take both signs and vanish once, where both moons have the same area: at the Q where the
-    signed area ∫ d(1 − κd/2) ds vanishes. A is the sum of both areas, δ_S. The form, a linear one of the
-    areas, is put to the test on one arc only.
+    That there is one crossing and are two moons is R3.2-2 (X3.2-15). So the form must take both signs and
+    vanish once, where both moons have the same area: at the Q where the signed area ∫ d(1 − κd/2) ds
+    vanishes. A is the sum of both areas, δ_S. The form, a linear one of the areas, is put to the test on one
+    arc only.
     """
     names = {name: sp.Symbol(name) for name in ("A_minus", "A_plus", "A")}
     itself = read(form, names)
@@ -176,41 +175,6 @@ def _value(form: str, first: Any, last: Any) -> Any:
     names = {"A_minus": first, "A_plus": last, "A": first + last}
     value = read(form, {name: sp.Float(str(z), 20) for name, z in names.items()})
     return mp.mpf(str(value))
-
-
-@claim(
-    "conjecture 3.1.2",
-    "Exactly one bitangent conic of an affine spiral arc has the least area from it.",
-    method=Method.NUMERICAL,
-    form="1",
-    wrong=("0", "2"),
-    reason="it is an open problem (sections 3.1.2 and 3.8); convexity of the area in Q is not known in "
-    "general.",
-    open=True,
-)
-def least_area_unique(form: str) -> Evidence:
-    """The area is stationary where ∫∂d/∂Q (1 − κd) ds over both sides of the crossing agree.
-
-    Their difference is followed as the crossing moves along the arc: its changes of sign are counted. One
-    means that the area falls to its minimum and then grows.
-    """
-    counts, lines = _stationary()
-    return Evidence(counts == set(integers(form, 1)), lines)
-
-
-@cache
-def _stationary() -> tuple[set[int], tuple[str, ...]]:
-    """The numbers of stationary members found on five arcs, and where they cross."""
-    lines, counts = [], set()
-    with mp.workdps(15):
-        for text, low, high in (*AFFINE_SPIRALS, (SEXTIC, "0", "2"), (SPIRAL, "0.5", "2.5")):
-            pencil = BitangentPencil(ReferenceCurve(text), low, high)
-            values = [imbalance(pencil, pencil.a + (pencil.b - pencil.a) * i / 12) for i in range(1, 12)]
-            counts.add(sum(one * two < 0 for one, two in pairwise(values)))
-            lines.append(
-                f"{text} on [{low}, {high}]: stationary at σ = {mp.nstr(least_area(pencil), 8)} only"
-            )
-    return counts, tuple(lines)
 
 
 @claim(

@@ -80,12 +80,32 @@ def test_what_is_no_form_is_refused_in_a_sentence(claim, form):
 def test_what_a_proof_takes_for_granted_is_a_claim_and_shown():
     known = {claim.name: claim for claim in CLAIMS}
     leaning = {claim.name: claim for claim in CLAIMS if claim.given}
-    assert set(leaning) == {"proposition 3.3.4", "proposition 3.4.2", "X3.4-4", "X3.4-5"}
+    assert {"proposition 3.3.4", "proposition 3.4.2", "X3.4-4", "X3.4-5", "conjecture 3.1.2"} <= set(leaning)
     for claim in leaning.values():
         assert set(claim.given) <= set(known) and claim.name not in claim.given
         assert claim.to_json()["given"] == list(claim.given)
-    assert known["R3.2-2"].method is Method.NUMERICAL
-    assert "R3.2-2" in known["proposition 3.3.4"].given
+    assert known["R3.2-2"].method is Method.PROOF and not known["R3.2-2"].given
+    assert not known["conjecture 3.1.2"].open
+
+
+def test_no_claim_takes_itself_for_granted():
+    known = {claim.name: claim for claim in CLAIMS}
+
+    def below(name, path=()):
+        assert name not in path, path
+        return {name}.union(*(below(given, (*path, name)) for given in known[name].given))
+
+    assert "R3.2-2" in below("X3.4-5") and "X3.2-2" in below("X5.3-7")
+    proofs = [claim for claim in CLAIMS if claim.method is Method.PROOF]
+    assert all(known[name].method is Method.PROOF for claim in proofs for name in below(claim.name))
+
+
+def test_errata_of_our_own_are_told_apart():
+    own = [claim for claim in CLAIMS if claim.own]
+    assert "R3.2-2" in {claim.name for claim in own}
+    for claim in own:
+        assert claim.printed is not None and not claim.uncertain and "earlier version" in claim.erratum
+        assert claim.to_json()["own"] is True and claim.name.startswith(("R", "X"))
 
 
 def test_readings_of_a_damaged_text_are_marked():
@@ -264,6 +284,8 @@ def test_a_claim_that_cannot_fail_is_refused():
             register("lemma 0.0.1", "2 + 3 = 5", **good | bad)
     with pytest.raises(DomainError, match="uncertain"):
         register("lemma 0.0.1", "2 + 3 = 5", **good, uncertain=True)
+    with pytest.raises(DomainError, match="earlier form"):
+        register("lemma 0.0.1", "2 + 3 = 5", **good, own=True)
     with pytest.raises(DomainError, match=r"registered twice, in .* and .*"):
         register(CLAIMS[0].name, "2 + 3 = 5", **good)(five)
     assert "lemma 0.0.1" not in registered()
