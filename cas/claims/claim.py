@@ -104,8 +104,9 @@ class Claim:
 
     @property
     def derivation(self) -> str:
-        """The docstring of the check."""
-        return inspect.getdoc(self.check) or ""
+        """The docstring of the check, a line for each of its paragraphs."""
+        paragraphs = re.split(r"\n\s*\n", inspect.getdoc(self.check) or "")
+        return "\n".join(" ".join(paragraph.split()) for paragraph in paragraphs)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data: what is known before the check is run."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
@@ -18,6 +19,8 @@ from osculant.cas.formulas.sympy_bridge import to_sympy
 
 #: random points at which a form is tried before it is proved, the digits used and those that must vanish
 TRIALS, DIGITS, VANISHING = 3, 60, 40
+#: characters of an identity that is shown
+LONGEST = 160
 
 
 def read(form: str, symbols: Mapping[str, Any]) -> Any:
@@ -142,7 +145,7 @@ def vanishes(expression: Any, what: str, relations: Sequence[tuple[Any, Any]] = 
 
     >>> a, b = sp.symbols("a b")
     >>> vanishes((a + b) ** 2 - a**2 - 2 * a * b - b**2, "binomial").certificate
-    ('binomial: the difference of both sides is identically 0',)
+    ('binomial: -a^2 - 2 a b - b^2 + (a + b)^2 = 0 identically',)
     >>> bool(vanishes(a - b, "a = b"))
     False
     """
@@ -156,10 +159,24 @@ def vanishes(expression: Any, what: str, relations: Sequence[tuple[Any, Any]] = 
             at = ", ".join(f"{s} = {q}" for s, q in point.items()) or "every point"
             return Evidence(False, (f"{what}: both sides differ by {sp.N(value, 12)} at {at}",))
     if _is_zero(expression, relations):
-        return Evidence(True, (f"{what}: the difference of both sides is identically 0",))
+        return Evidence(True, (f"{what}: {_shown(expression)} = 0 identically{_modulo(relations)}",))
     if relations:
         return Evidence(False, (f"{what}: both sides differ modulo the relations",))
     raise UndecidedError(f"{what}: both sides agree at random points, but no proof was found.")
+
+
+def _shown(expression: Any) -> str:
+    """The difference of both sides as it was before it was simplified, or how long it is."""
+    if expression == 0:
+        return "the difference of both sides"
+    text = re.sub(r"(?<=\w|\))\*(?=\w|\()", " ", str(expression).replace("**", "^"))
+    if len(text) <= LONGEST:
+        return text
+    return f"the difference of both sides, an expression of {sp.count_ops(expression)} operations,"
+
+
+def _modulo(relations: Sequence[tuple[Any, Any]]) -> str:
+    return " modulo the relations" if relations else ""
 
 
 def _without_functions(expression: Any) -> Any:

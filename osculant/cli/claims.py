@@ -71,13 +71,16 @@ def print_list(claims: Sequence[Claim]) -> None:
 
 def print_claim(judgement: Judgement) -> None:
     """Print all there is to know of a claim: statement, verdict, forms, method, derivation, certificate."""
+    from osculant.thesis.plain import plain
+
     claim = judgement.claim
     certificates = [("certificate", "\n".join(judgement.evidence.certificate))]
     if judgement.against_printed is not None:
         certificates.append(("as printed", "\n".join(judgement.against_printed.certificate)))
-    forms = [("form", claim.form)]
+    forms = [("form", plain(claim.form))]
     if claim.printed is not None:
-        forms = [("earlier" if claim.own else "printed", claim.printed), ("corrected", claim.form)]
+        earlier = "earlier" if claim.own else "printed"
+        forms = [(earlier, plain(claim.printed)), ("corrected", plain(claim.form))]
     rows = [
         ("claim", claim.name),
         ("statement", claim.statement),

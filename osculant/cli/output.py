@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 #: seconds before a progress bar appears
 PATIENCE = 1.0
+#: and between lines that say how far the work is
+PAUSE = 10.0
 #: columns of an output that is no terminal
 ENDLESS = 200
 #: columns of running text at most
@@ -29,14 +31,17 @@ WIDEST = 110
 class Waiting:
     """A progress bar on stderr, shown only on a terminal and after `PATIENCE` seconds.
 
+    With ``lines`` it says how far the work is where there is no terminal, too: once in `PAUSE` seconds.
+
     Call it with the part that is done, 0…1; use it as a context manager, so that it goes away.
 
     >>> with Waiting("counting") as progress:
     ...     progress(0.5)
     """
 
-    def __init__(self, what: str) -> None:
-        self.what, self.began = what, perf_counter()
+    def __init__(self, what: str, lines: bool = False) -> None:
+        self.what, self.began, self.lines = what, perf_counter(), lines
+        self.told = self.began + PATIENCE - PAUSE
         self.bar: Progress | None = None
 
     def __enter__(self) -> Waiting:
@@ -50,6 +55,11 @@ class Waiting:
 
     def __call__(self, part: float) -> None:
         """Show the part that is done."""
+        if self.lines and sys.stderr is not None and not sys.stderr.isatty():
+            if perf_counter() - self.told >= PAUSE:
+                self.told = perf_counter()
+                tell(f"{self.what}: {part:.0%} done")
+            return
         if self.bar is None:
             if sys.stderr is None or not sys.stderr.isatty() or perf_counter() - self.began < PATIENCE:
                 return

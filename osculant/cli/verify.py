@@ -64,7 +64,7 @@ def verify(
     if errata is not None and not any(claim.erratum for claim in (*claims, *left_out)):
         raise UsageError(f"Did not write {printable(errata)}: there is no erratum among the selected claims.")
     try:
-        with Waiting("verifying") as progress:
+        with Waiting("verifying", lines=errata is not None) as progress:
             done = check(claims, left_out, progress)
     except KeyboardInterrupt:
         tell("interrupted")

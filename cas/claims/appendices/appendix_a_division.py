@@ -17,7 +17,8 @@ from osculant.cas.numbers.division import difference_quotient, newton_of_polynom
 
 @claim(
     "section A.1-3",
-    "For f of class Cᵐ, m ≥ n, [x₀, …, xₙ]f is of class Cᵐ⁻ⁿ in its nodes, and no better in general.",
+    "For f of class Cᵐ, m ≥ n, [x₀, …, xₙ]f is of class Cᵐ⁻ⁿ in its nodes, and no better in general: for m "
+    "≤ 6.",
     method=Method.EXACT,
     form="m - n",
     wrong=("m", "m - n + 1", "m - n - 1"),
@@ -70,7 +71,7 @@ def _class(right: Any, left: Any) -> int:
 
 @claim(
     "lemma A.1.1.2",
-    "If f is of class Cᵐ, m ≥ n, then [x₀, …, xₙ₋₁, x]f is a function of class Cᵐ⁻ⁿ of x.",
+    "If f is of class Cᵐ, m ≥ n, then [x₀, …, xₙ₋₁, x]f is a function of class Cᵐ⁻ⁿ of x: for m ≤ 6.",
     method=Method.EXACT,
     form="m - n",
     printed="n - m",
@@ -142,7 +143,7 @@ def division_property(form: str) -> Evidence:
 
 @claim(
     "lemma A.1.2.2",
-    "The quotient [x₁, …, xₙ, x]f of a function of class Cᵐ by its n zeros is of class Cᵐ⁻ⁿ.",
+    "The quotient [x₁, …, xₙ, x]f of a function of class Cᵐ by its n zeros is of class Cᵐ⁻ⁿ: for m ≤ 6.",
     method=Method.EXACT,
     form="m - n",
     wrong=("n - m", "m - n - 1", "m - n + 1"),

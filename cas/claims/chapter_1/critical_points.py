@@ -149,7 +149,8 @@ def _real_factors(cubic: Any) -> int:
 
 @claim(
     "section 1.4-2",
-    "A small perturbation of a function of codimension r has at most this many critical points.",
+    "A small perturbation of a function of codimension r has at most this many critical points: for A₂ … A₅, "
+    "D₄ and D₅.",
     method=Method.EXACT,
     form="r + 1",
     printed="r",

@@ -5,6 +5,8 @@ The checks run over the jets of a generic curve: v is its speed, and φ³ = [α�
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from osculant.cas.claims.chapter_2.plane_frames import (
@@ -21,6 +23,7 @@ from osculant.cas.claims.chapter_2.plane_frames import (
 )
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import all_of, positive, read, read_tuple, vanishes
+from osculant.cas.formulas.sympy_bridge import cbrt
 from osculant.cas.jets.derivations.affine import by_affine_arc_length, curvature
 from osculant.cas.jets.derivations.plane import along, bracket, derivative, phi, v, x, y
 
@@ -58,24 +61,29 @@ def change_of_parameter(form: str) -> Evidence:
     "(2.3)",
     "φ = [α̇, α̈]^(1/3) is dr/du for affine arc length r, so r does not depend on the parameter of α.",
     method=Method.PROOF,
-    form="b12**(1/3)",
-    wrong=("b12**(1/2)", "b12**(2/3)", "2*b12**(1/3)", "-b12**(1/3)", "0"),
+    form="cbrt(b12)",
+    wrong=("b12**(1/2)", "cbrt(abs(b12))", "b12**(2/3)", "2*cbrt(b12)", "-cbrt(b12)", "0"),
 )
 def affine_speed(form: str) -> Evidence:
     """Under u = u(τ) the bracket becomes [α̇, α̈]u′³ by (2.2), and φ dτ must become φ du: φ ↦ φu′.
 
     With [α̇, α̈] = w³, w > 0, and u′ > 0 that is an identity for multiples of the cube root and for no other
-    power. The factor: γ′ = α̇/f and γ″ = (dγ′/du)/f have [γ′, γ″] = [α̇, α̈]/f³ for a generic f, and that is 1
-    for f = φ.
+    power; with −w³ it must be −φ, as the real cube root is. The factor: γ′ = α̇/f and γ″ = (dγ′/du)/f have
+    [γ′, γ″] = [α̇, α̈]/f³ for a generic f, and that is 1 for f = φ.
     """
     w, rate = sp.symbols("w u1", positive=True)
     f, slope = sp.symbols("f f1", real=True)
-    stated = read(form, {"b12": w**3})
+
+    def speed(value: Any) -> Any:  # cbrt is odd, so what is left under it is positive
+        return read(form, {"b12": value}).replace(cbrt, lambda inner: inner ** sp.Rational(1, 3))
+
+    stated = speed(w**3)
     first = (x[1] / f, y[1] / f)
     second = tuple((z[2] / f - z[1] * slope / f**2) / f for z in (x, y))
     scale = vanishes(bracket(first, second) - D / f**3, "[γ′, γ″] − [α̇, α̈]/f³")
     unit = vanishes(w**3 - stated**3, "[α̇, α̈] − φ³") & positive(stated, "φ for [α̇, α̈] > 0")
-    return scale & unit & vanishes(read(form, {"b12": w**3 * rate**3}) - stated * rate, "φ(τ) − φ(u)u′")
+    unit &= vanishes(speed(-(w**3)) + w, "φ for [α̇, α̈] = −w³ against −w")
+    return scale & unit & vanishes(speed(w**3 * rate**3) - stated * rate, "φ(τ) − φ(u)u′")
 
 
 @claim(

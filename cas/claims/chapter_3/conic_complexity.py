@@ -79,7 +79,7 @@ def parabola_error(form: str) -> Evidence:
     wrong=("dk_ds*kappa^2/(2000*sqrt(5))", "dk_dr*kappa^2/2000", "dk_dr*kappa^(5/3)/(2000*sqrt(5))"),
 )
 def conic_error(form: str) -> Evidence:
-    """As for the parabola, with Q a series whose coefficients make the extreme values opposite."""
+    """The error as a series in the arc's length, Q being a series that makes both extremes of d opposite."""
     return equal_error(form, "conic")
 
 
@@ -136,11 +136,21 @@ def _affine_length() -> Any:
     wrong=("D*rho^4/12", "D*rho^3/16"),
 )
 def parabola_lobe(form: str) -> Evidence:
-    """All critical points of u²(ρ − u)² on [0, ρ], the largest value there."""
-    u = sp.Symbol("u")
+    """All critical points of u²(ρ − u)² on [0, ρ], the largest value there.
+
+    With D(u, ρ) = D + D_u u + D_ρ ρ + … and u = xρ the rest is ρ⁵x²(1 − x)²(xD_u + D_ρ) + …: O(ρ⁵), whatever
+    x.
+    """
+    u, part = sp.symbols("u x")
+    slopes = sp.symbols("D_u D_rho")
+    general = part**2 * (1 - part) ** 2 * rho**4 * (D + slopes[0] * part * rho + slopes[1] * rho)
+    leading = sp.Poly(sp.expand(general), rho)
+    rest = vanishes(
+        leading.coeff_monomial(rho**4) - part**2 * (1 - part) ** 2 * D, "coefficient of ρ⁴ along the arc"
+    ) & Evidence(min(n for (n,) in leading.monoms()) == 4, ("the next power of ρ is 5",))
     shape = u**2 * (rho - u) ** 2
     top = max((sp.expand(shape.subs(u, p)) / rho**4 for p in sp.solve(sp.diff(shape, u), u)), key=float)
-    return vanishes(read(form, {"D": D, "rho": rho}) - top * D * rho**4, "height of the lobe")
+    return rest & vanishes(read(form, {"D": D, "rho": rho}) - top * D * rho**4, "height of the lobe")
 
 
 @claim(
@@ -219,6 +229,7 @@ def mean_curvature(form: str) -> Evidence:
     "(3.17)",
     "N(ε) = 128^(−1/4) ∫|k|^(1/4) κ^(5/12) ds ε^(−1/4), to leading order, for parabolic splines.",
     method=Method.PROOF,
+    given=("X3.1-4",),
     form="128^(-1/4)*k^(1/4)*kappa^(5/12)",
     wrong=(
         "128^(-1/4)*k^(1/4)*kappa^(5/3)",
@@ -228,7 +239,7 @@ def mean_curvature(form: str) -> Evidence:
     ),
 )
 def parabola_complexity(form: str) -> Evidence:
-    """An arc of error ε has the length (ε/e₀)^{1/4}, so the integrand to the power 4 is e₀."""
+    """An arc of error ε has the length (ε/e₀)^{1/4}, so the integrand to the power 4 is e₀ (X3.1-4)."""
     return equal_error(form, "parabola", 4)
 
 
@@ -243,13 +254,14 @@ CONIC_ERRATUM = (
     "(3.18)",
     "N(ε) = (2000√5)^(−1/5) ∫|dk/dr|^(1/5) κ^(2/5) ds ε^(−1/5), to leading order, for conic splines.",
     method=Method.PROOF,
+    given=("X3.1-4",),
     form="(2000*sqrt(5))^(-1/5)*dk_dr^(1/5)*kappa^(2/5)",
     printed="(2000*sqrt(5))^(-1/5)*dk_ds^(1/5)*kappa^(2/5)",
     erratum=CONIC_ERRATUM,
     wrong=("(2000*sqrt(5))^(-1/5)*dk_dr^(1/5)*kappa^(1/3)", "2000^(-1/5)*dk_dr^(1/5)*kappa^(2/5)"),
 )
 def conic_complexity(form: str) -> Evidence:
-    """An arc of error ε has the length (ε/e₀)^{1/5}, so the integrand to the power 5 is e₀."""
+    """An arc of error ε has the length (ε/e₀)^{1/5}, so the integrand to the power 5 is e₀ (X3.1-4)."""
     return equal_error(form, "conic", 5)
 
 

@@ -13,7 +13,7 @@ from flint import arb
 
 from osculant.cas.claims.chapter_3.spiral_chords import farther, longest, within
 from osculant.cas.claims.claim import Evidence, Method, claim
-from osculant.cas.claims.proof import integers
+from osculant.cas.claims.proof import integers, read_tuple, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.numbers.balls import precision
 
@@ -196,3 +196,32 @@ def _greedy_edges() -> tuple[int, tuple[str, ...]]:
             width *= GROWTH
         shown = ", ".join(f"{float(knot.mid()):.6g}" for knot in knots)
     return len(knots) - 1, (f"greedy knots, enclosed: {shown}",)
+
+
+@claim(
+    "X3.1-4",
+    "If the least error of an arc of length σ from s is e₀(s)σᵖ(1 + O(σ)), uniformly, with e₀ > 0 "
+    "continuous, the least number of arcs within ε is ∫e₀^(1/p) ds ε^(−1/p)(1 + o(1)), whether or not E is "
+    "monotone.",
+    method=Method.PROOF,
+    form="e0^(1/p), -1/p",
+    wrong=("e0^p, -1/p", "e0^(1/p), 1/p", "e0^(1/p), -p", "2*e0^(1/p), -1/p", "e0, -1/p"),
+)
+def least_number(form: str) -> Evidence:
+    """The form is the integrand g and the power of ε.
+
+    Below: in any spline within ε the arcs tend to length 0, and e₀σᵢᵖ(1 + O(σᵢ)) ≤ ε gives σᵢe₀^(1/p) ≤
+    ε^(1/p)(1 + o(1)); the sum over all arcs tends to the integral, as a Riemann sum. Above: with the knots at
+    equal parts of the integral all errors are ε(1 + o(1)), and a slightly larger number puts them below ε. In
+    the model E = (∫g ds)ᵖ, for which equal parts are exactly the best, both are checked: N arcs have (∫g/N)ᵖ
+    = ε, and E of a short arc is g(s)ᵖσᵖ + …, with the next term of order σᵖ⁺¹.
+    """
+    e0, eps, p, whole = sp.symbols("e0 epsilon p I", positive=True)
+    integrand, power = read_tuple(form, {"e0": e0, "p": p}, 2)
+    number = whole * eps ** (-1 / p)
+    equal = vanishes(sp.powsimp((whole / number) ** p, force=True) - eps, "error of N equal parts against ε")
+    scaling = vanishes(power - sp.simplify(sp.diff(sp.log(number), eps) * eps), "power of ε")
+    sigma, g, g1 = sp.symbols("sigma g g1", positive=True)
+    short = (g * sigma + g1 * sigma**2 / 2) ** p / sigma**p
+    leading = sp.simplify(short.subs(g1, 0))
+    return equal & scaling & vanishes(leading.subs(g, integrand) - e0, "e₀ of the model against e₀")

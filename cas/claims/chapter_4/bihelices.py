@@ -96,7 +96,12 @@ def plane_of_junction_points(form: str) -> Evidence:
     "(T₀ − T_L) × (T_R − T₀) = a × b.",
     method=Method.PROOF,
     form="a2*b3 - a3*b2, a3*b1 - a1*b3, a1*b2 - a2*b1",
-    wrong=("a2*b3 + a3*b2, a3*b1 + a1*b3, a1*b2 + a2*b1", "a1, a2, a3", "a1 + b1, a2 + b2, a3 + b3"),
+    wrong=(
+        "0, 0, 0",
+        "a2*b3 + a3*b2, a3*b1 + a1*b3, a1*b2 + a2*b1",
+        "a1, a2, a3",
+        "a1 + b1, a2 + b2, a3 + b3",
+    ),
 )
 def line_of_junction_points(form: str) -> Evidence:
     """The line's point is taken from Lemma B.2.1; a step λ along the direction stays in both planes."""
@@ -110,7 +115,12 @@ def line_of_junction_points(form: str) -> Evidence:
     point = junction_line(left, right, middle).point
     on_line = add(point, scale(sp.Symbol("lam"), direction))
     first, second = junction_plane(left, middle), junction_plane(right, middle)
-    return vanishes(first.offset(on_line), "left plane") & vanishes(second.offset(on_line), "right plane")
+    moves = Evidence(any(part != 0 for part in direction), ("the direction is not 0 for generic data",))
+    return (
+        moves
+        & vanishes(first.offset(on_line), "left plane")
+        & vanishes(second.offset(on_line), "right plane")
+    )
 
 
 @claim(

@@ -158,6 +158,10 @@ def distinct_ends(form: str) -> Evidence:
     return vanishes(dot(SPAN, SPAN) - (tau * phi) ** 2 - read(form, {"t0": t0}), "|βS±|² − (τ̄φ)²", [RELATION])
 
 
+#: end points (2u, u, w) for algorithm 1, far from its bound
+SPREAD = ((8, 1), (4, -1), (2, 1), (1, -1), (1, 3), (0, 1), (-1, -10), (-1, 1))
+
+
 @claim(
     "algorithm 4.1.1",
     "Algorithm 1 finds the short helix of total turning at most π only; beyond, its c is out of range.",
@@ -166,21 +170,23 @@ def distinct_ends(form: str) -> Evidence:
     printed="2*pi",
     erratum="Algorithm 1 reports an error (c out of range) for data whose short helix turns by more than π, "
     "although theorem 4.3.2 grants one.",
-    wrong=("pi/2", "3*pi/2"),
+    wrong=("pi/2", "3*pi/2", "pi + 1/1000", "pi - 1/1000"),
     reason="finitely many rational data; for all data it follows from (4.12) and the monotonicity of H",
 )
 def reach_of_the_algorithm(form: str) -> Evidence:
     """T₀ = (1, 0, 0), T₁ = (3/5, 4/5, 0) and end points (2u, u, w): c against its bound.
 
     The algorithm succeeds iff 0 ≤ c ≤ 2/(π√(1 + t₀)); the turning comes from the solver by χ, whose helix is
-    checked at the end point to 30 digits.
+    checked at the end point to 30 digits. Two end points have a turning within 10⁻⁶ of π, on either side.
     """
     first, second = (Fraction(1), Fraction(0), Fraction(0)), (Fraction(3, 5), Fraction(4, 5), Fraction(0))
     size = dot(first, second)
     lines, holds = [], True
     with mp.workdps(40):
         bound = mp.mpf(str(sp.N(read(form, {}), 40)))
-        for u, w in ((8, 1), (4, -1), (2, 1), (1, -1), (1, 3), (0, 1), (-1, -10), (-1, 1)):
+        turn = 4 / (mp.pi * mp.sqrt("3.2"))  # w/u where c is its bound, at a turning of π
+        near = [(10**9, int(10**9 * turn) + step) for step in (-100, 100)]
+        for u, w in (*SPREAD, *near):
             p = (Fraction(2 * u), Fraction(u), Fraction(w))
             aside, ahead = abs(dot(p, cross(second, first))), dot(p, add(first, second))
             ratio = aside / (1 - size) / ahead if ahead else Fraction(-1)

@@ -152,15 +152,16 @@ def vertex(form: str) -> Evidence:
 
 @claim(
     "R5.2-6",
-    "A curve takes 324^(−1/3) ∫|κ′|^(1/3) ds · ε^(−1/3) biarcs.",
+    "A curve takes 324^(−1/3) ∫|κ′|^(1/3) ds · ε^(−1/3) biarcs, to leading order.",
     method=Method.PROOF,
+    given=("X3.1-4",),
     form="324**(-1/3)*I",
     wrong=("324**(-1/2)*I", "162**(-1/3)*I", "324**(1/3)*I"),
 )
 def complexity(form: str) -> Evidence:
     """Equal errors κ′σ³/324 = ε: σ = (324ε/|κ′|)^{1/3}, and the number of pieces is ∫ds/σ.
 
-    I is the integral.
+    That this is the limit of the least number is X3.1-4. I is the integral.
     """
     integral = sp.Symbol("I", positive=True)
     return vanishes(

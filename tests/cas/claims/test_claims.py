@@ -121,7 +121,7 @@ def test_readings_of_a_damaged_text_are_marked():
     "name, right, wrong",
     [
         ("(4.10)", "-sqrt(2)/(1 - t0)*abs(q)/g", "-sqrt(2)/(1 - t0)*q/g"),
-        ("(2.3)", "b12/b12**(2/3)", "b12"),
+        ("(2.3)", "b12/cbrt(b12)^2", "b12"),
         ("section 3.2-1", "2*y - x**2 - k*y**2", "x**2 + k*y**2 - 2*y + 1"),
         ("section 4.2-2", "-2*V0", "V0 - V0"),
         ("corollary 4.2.3", "2*start - 2*end", "0"),
