@@ -67,7 +67,9 @@ def inside_the_triangle(form: str) -> Evidence:
     ordered = {t2: t1 + gaps[0], t3: t1 + gaps[0] + gaps[1]}
     for part in parts:
         numerator, denominator = sp.fraction(sp.factor(sp.together(part.subs(ordered, simultaneous=True))))
-        one_sign = all(c > 0 for e in (numerator, denominator) for c in sp.Poly(sp.expand(e)).coeffs())
+        one_sign = all(
+            bool(c.is_positive) for e in (numerator, denominator) for c in sp.Add.make_args(sp.expand(e))
+        )
         found &= Evidence(one_sign, (f"for 0 < t₁ < t₂ < t₃, t₄ < 0 it is positive: {one_sign}",))
     return found
 

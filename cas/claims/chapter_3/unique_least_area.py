@@ -68,9 +68,12 @@ def middle_line(form: str) -> Evidence:
     l0, l2 = cosine * (y - H) - sine * (x - P), y
     sines = {"sin_A": H / length, "sin_B": (P * sine - H * cosine) / length}
     linear = read(form, {"l0": l0, "l2": l2, **sines})
+    free = Evidence(linear.has(x) or linear.has(y), ("the form is not 0 everywhere",))
     middle = [z.subs(T, sp.Rational(1, 2)).subs(C, sine / (P * sine - H * cosine)) for z in MEMBER]
-    return vanishes(linear.subs({x: P / 2, y: H / 2}), "the form in the middle of the chord") & vanishes(
-        linear.subs({x: middle[0], y: middle[1]}), "the form at the points t = 1/2"
+    return (
+        free
+        & vanishes(linear.subs({x: P / 2, y: H / 2}), "the form in the middle of the chord")
+        & vanishes(linear.subs({x: middle[0], y: middle[1]}), "the form at the points t = 1/2")
     )
 
 
