@@ -10,6 +10,7 @@ import sympy as sp
 
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import positive, read, read_tuple, vanishes
+from osculant.cas.errors import DomainError
 from osculant.cas.geometry.bihelices import End, junction_cylinder, junction_line, junction_plane
 from osculant.cas.numbers.vectors import Vector3, add, cross, det, dot, scale, subtract
 
@@ -49,10 +50,16 @@ class _Circle:
         self.cylinder = junction_cylinder(self.left, self.right, (zero, zero, zero + 1))
 
     def element(self, expression: Any) -> Any:
-        """An expression in d, z and trigonometric functions of ω/2 and ω, as an element of the field."""
+        """An expression in d, z and trigonometric functions of ω/2 and ω, as an element of the field.
+
+        Raises DomainError for one that is not rational in them.
+        """
         half = sp.Symbol("half_omega")
         rational = sp.expand_trig(expression.subs(omega, 2 * sp.atan(half)))
-        return self.field.from_expr(sp.together(rational))
+        try:
+            return self.field.from_expr(sp.together(rational))
+        except ValueError:
+            raise DomainError(f"{expression} is not rational in the sine and cosine of ω/2.") from None
 
     def squared_distance(self, p: Vector3, x: Any, y: Any) -> Any:
         """Of p from the parallel to the axis through (x, y)."""

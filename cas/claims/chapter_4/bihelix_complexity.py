@@ -114,7 +114,10 @@ def _limits(curve: str, law: str) -> Evidence:
     """
     coordinates = parse_tuple(curve)
     slope, length = sp.symbols("kappa1 sigma", positive=True)
-    scale = sp.lambdify((slope, length), read(law, {"kappa1": slope, "sigma": length}), "mpmath")
+    stated = read(law, {"kappa1": slope, "sigma": length})
+    if stated == 0:
+        raise DomainError("A law that is 0 has no peaks divided by it.")
+    scale = sp.lambdify((slope, length), stated, "mpmath")
     means, differences = [], []
     with mp.workdps(DIGITS):
         for k in range(HALVINGS):

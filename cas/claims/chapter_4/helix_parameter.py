@@ -234,7 +234,7 @@ def opposite_tangents(form: str) -> Evidence:
     x, p = sp.symbols("x p", positive=True)
     turning, beta = read_tuple(form, {"p": p}, 2)
     forced = vanishes(1 + sp.cos(turning), "1 + cos φ = 0")
-    inside = Evidence(bool(turning < 2 * sp.pi), (f"turning {turning} < 2π",))
+    inside = Evidence(bool(turning > 0) and bool(turning < 2 * sp.pi), (f"0 < {turning} < 2π",))
     chord = (sp.sin(x), 1 - sp.cos(x))  # of the circle with β = 1, along T₀ and N₀
     evidence = vanishes(chord[0].subs(x, turning), "⟨p₁ − p₀, T₀⟩")
     return forced & inside & evidence & vanishes(chord[1].subs(x, turning) / beta - p, "|p₁ − p₀|")

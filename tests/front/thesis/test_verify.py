@@ -75,6 +75,19 @@ FALSE = '''
         return Evidence(int(form) == 2 + 2, ("counted 4",))
 
 
+    ours_it_is = {"erratum": "An earlier version: five.", "own": True}
+
+
+    @claim("R9.3-1", "Four it is.", form="4", printed="5", **ours_it_is, **facts)
+    def ours(form):
+        """Two and two
+
+        are counted,
+        one by one.
+        """
+        return Evidence(int(form) == 2 + 2, ("counted 4",))
+
+
     @claim("lemma 9.1.10", "It is slow.", form="4", printed="6", erratum="Six.", slow=True, **facts)
     def slow(form):
         """It would be slow."""
@@ -290,7 +303,7 @@ def test_the_summary_tells_evidence_from_proof():
     rows = (
         judged("a", Verdict.HOLDS, Method.PROOF),
         judged("b", Verdict.HOLDS, Method.NUMERICAL),
-        judged("c", Verdict.HOLDS, Method.PROOF, "proposition 3.3.4", "no such claim"),  # given R3.2-2
+        judged("c", Verdict.HOLDS, Method.PROOF, "R4.6-3", "no such claim"),
         judged("d", Verdict.CORRECTED, Method.NUMERICAL),
         judged("e", Verdict.OPEN, Method.NUMERICAL),
     )
@@ -336,6 +349,41 @@ def test_uncertain_errata_have_a_section(false_claims, tmp_path):
     certain, uncertain = target.read_text(encoding="ascii").split(r"\section*{Readings of a damaged text}")
     assert "Lemma 9.1.4" in certain and "Lemma 9.2.1" not in certain
     assert "Lemma 9.2.1" in uncertain and "exact computation, given R3.2-2" in uncertain
+
+
+def test_errata_of_our_own_have_a_section_and_a_word(false_claims, tmp_path, capsys):
+    target = tmp_path / "errata.tex"
+    assert main(["verify", "9.3", "9.2.1", "9.1.4", "--errata", str(target)]) == 0
+    thesis, own = target.read_text(encoding="ascii").split(r"\section*{Errata of osculant}")
+    assert "R9.3-1" in own and "9.3-1" not in thesis and "Lemma 9.1.4" in thesis and "Lemma 9.2.1" in thesis
+    assert r"\item[Form claimed earlier] \ensuremath{5}" in own and "Form printed" not in own
+    capsys.readouterr()
+    assert main(["verify", "9.3", "9.1.4", "--list"]) == 0
+    listed = capsys.readouterr().out
+    assert re.search(r"^R9\.3-1 .* own erratum ", listed, re.MULTILINE)
+    assert re.search(r"^lemma 9\.1\.4 .*  erratum ", listed, re.MULTILINE)
+    assert main(["verify", "--show", "9.3-1"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"^earlier +5\ncorrected +4\nerratum +An earlier version: five\.$", shown, re.MULTILINE)
+    assert re.search(r"^derivation +Two and two\n +are counted, one by one\.$", shown, re.MULTILINE)
+
+
+def test_forms_are_shown_as_formulas_and_the_identity_that_was_proved(capsys):
+    assert main(["verify", "--show", "X3.2-13"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"^form +\(dk/dr\) v²$", shown, re.MULTILINE) and "**" not in shown
+    assert " = 0 identically" in shown
+
+
+def test_errata_tell_how_far_they_are(false_claims, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("osculant.cli.output.PATIENCE", 0.0)
+    monkeypatch.setattr("osculant.cli.output.PAUSE", 0.0)
+    assert main(["verify", "9.1.4", "9.2.1", "--errata", str(tmp_path / "a.tex")]) == 0
+    assert re.fullmatch(
+        r"osculant: verifying: 50% done\nosculant: verifying: 100% done\n", capsys.readouterr().err
+    )
+    assert main(["verify", "9.1.4", "9.2.1"]) == 0
+    assert capsys.readouterr().err == ""
 
 
 def test_errata_alone_check_only_claims_with_an_erratum(tmp_path, capsys, monkeypatch):
