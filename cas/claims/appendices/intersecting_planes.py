@@ -47,7 +47,7 @@ def line_of_two_planes(form: str) -> Evidence:
     size = sp.Symbol("delta", positive=True)  # |U₀×U₁|², multiplied out
     point, direction = read_vectors(form, {**PRODUCTS, "delta": size}, names, 2)
     on_line = add(point, scale(sp.Symbol("lambda", real=True), direction))
-    evidence = Evidence(True)
+    evidence = Evidence(any(part != 0 for part in direction), ("the direction is not 0 for generic normals",))
     for through, normal, what in ((P0, U0, "|U₀×U₁|²⟨p − p₀, U₀⟩"), (P1, U1, "|U₀×U₁|²⟨p − p₁, U₁⟩")):
         residual = sp.expand(size * dot(subtract(on_line, through), normal))
         evidence &= vanishes(sp.expand(residual.subs(size, PRODUCTS["delta"])), what)

@@ -23,7 +23,7 @@ from osculant.cas.jets.plane import PlaneJet
 LONG, MEMBERS, PLACES = (SPIRAL, "0.2", "3.4"), ("0.381", "0.6119"), ("1.184", "1.1844")
 SAMPLES = 160
 #: nested sub-arcs in parts of an arc; arcs of the sextic across its sextactic point, one inside the other
-NESTED = (("0.3", "0.7"), ("0.3", "0.8"), ("0.15", "0.8"), ("0", "1"))
+NESTED = (("0.3", "0.7"), ("0.3", "0.8"), ("0.1", "0.8"))
 ACROSS = (SEXTIC, ("-1", "0.85"), ("-1", "1"))
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from zlib import crc32
-
 import pytest
 
 from osculant.cas.claims import all_claims
@@ -11,8 +9,12 @@ from osculant.cas.claims.claim import Claim, Evidence, Method
 from tests.cas.claims.changes import accepted, changes
 
 CLAIMS = all_claims()
-#: one claim in so many is tried in the fast suite; slow ones and those of germs are not
-SAMPLE = 24
+#: claims tried in the fast suite: each check takes a fraction of a second
+SAMPLE = (
+    *("section 1.5-1", "X1.3-7", "lemma 2.3.2.4", "(2.3)", "(2.12)", "X3.1-4", "X3.2-4", "X3.2-13", "R3.3-9"),
+    *("X3.3-4", "X3.4-6", "X3.4-7", "(3.21)", "(3.22)", "R4.3-1", "R4.3-10", "R4.4-5", "(4.8)", "R5.3-1"),
+    *("X5.3-1", "X5.3-6", "section B.1-6", "lemma B.2.1"),
+)
 
 #: changes known to leave a statement true, by claim
 EQUIVALENT = {
@@ -31,6 +33,7 @@ EQUIVALENT = {
     "R4.4-1": {"sign", "twice"},
     "R4.4-2": {"sign", "twice"},
     "R4.4-7": {"sign"},
+    "lemma B.2.1": {"sign", "twice"},
     # the sign of a discriminant
     "X1.3-4": {"twice"},
     # germs up to changes of coordinates
@@ -57,15 +60,9 @@ def test_changed_forms_are_refused(claim):
     assert unexpected(claim) == []
 
 
-def quick(claim: Claim) -> bool:
-    exact = claim.method in {Method.PROOF, Method.EXACT}
-    return (
-        exact and claim.chapter != "6" and len(claim.form) < 40 and crc32(claim.name.encode()) % SAMPLE == 0
-    )
-
-
-@pytest.mark.parametrize("claim", list(filter(quick, CLAIMS)), ids=lambda claim: claim.name)
-def test_changed_forms_of_a_sample_are_refused(claim):
+@pytest.mark.parametrize("name", SAMPLE)
+def test_changed_forms_of_a_sample_are_refused(name):
+    (claim,) = (claim for claim in CLAIMS if claim.name == name)
     assert unexpected(claim) == []
 
 
@@ -85,7 +82,7 @@ def test_what_is_changed():
         "-a1^2/3, (0) + 1/1000",
     ]
     assert [form for _, form in changes("5, strictly convex")] == ["6, strictly convex"]
-    assert list(changes("k monotone")) == [] and len(list(changes("atan2(a, b), c"))) == 8
+    assert list(changes("k monotone")) == [] and len(list(changes("sqrt(a), c"))) == 8
 
 
 def test_a_claim_that_accepts_everything_is_found():
