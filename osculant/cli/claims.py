@@ -76,7 +76,8 @@ def print_claim(judgement: Judgement) -> None:
     claim = judgement.claim
     certificates = [("certificate", "\n".join(judgement.evidence.certificate))]
     if judgement.against_printed is not None:
-        certificates.append(("as printed", "\n".join(judgement.against_printed.certificate)))
+        against = "as claimed" if claim.own else "as printed"
+        certificates.append((against, "\n".join(judgement.against_printed.certificate)))
     forms = [("form", plain(claim.form))]
     if claim.printed is not None:
         earlier = "earlier" if claim.own else "printed"

@@ -15,7 +15,7 @@ from osculant.cas.asymptotics.bihelix_series import leading_constant
 from osculant.cas.asymptotics.space_complexity import curvature_slope_integral
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.examples import CONICAL, MOMENT
-from osculant.cas.claims.proof import agrees, read, read_tuple, rounding, vanishes
+from osculant.cas.claims.proof import agrees, positive, read, read_tuple, rounding, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
 from osculant.cas.formulas.sympy_bridge import cbrt
@@ -292,4 +292,6 @@ def spherical_helix(form: str) -> Evidence:
     speed = jet.speed_squared * jet.speed_squared * jet.speed_squared
     curvature = vanishes(jet.inflection_form - claimed**2 * speed, "κ²", relations)
     twist = jet.torsion_form**2 * speed - ratio**2 * jet.inflection_form**3
-    return curvature & vanishes(twist, "τ²/κ²", relations)
+    at = {c: sp.Rational(3, 5), r: sp.Rational(4, 5), mu: sp.Rational(1, 2)}
+    signs = positive(claimed.subs(at), "κ") & positive(ratio.subs(at), "|τ|/κ")
+    return signs & curvature & vanishes(twist, "τ²/κ²", relations)

@@ -31,9 +31,13 @@ EQUIVALENT = {
     "corollary 4.2.3": {"sign", "twice"},
     "section 4.3-2": {"sign", "twice"},
     "R4.4-1": {"sign", "twice"},
-    "R4.4-2": {"sign", "twice"},
     "R4.4-7": {"sign"},
     "lemma B.2.1": {"sign", "twice"},
+    "(4.3)": {"sign", "twice"},
+    # a constant, which both ends have
+    "R5.3-6": {"thousandth"},
+    # numbers known to fewer digits
+    "R4.6-2": {"thousandth"},
     # the sign of a discriminant
     "X1.3-4": {"twice"},
     # germs up to changes of coordinates
