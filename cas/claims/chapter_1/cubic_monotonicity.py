@@ -17,7 +17,7 @@ SHORT, LONG, EXCHANGES, DIGITS = sp.Rational(4, 5), sp.Integer(1), 8, 20
 
 
 @claim(
-    "X1.3-7",
+    "X1.3-11",
     "To first order a cubic near (t, η(t² + t³/2)) differs from it in height by any polynomial of degree ≤ "
     "5: so a cubic tangent to y = η(x² + x³/2 + δx⁷) at −1 and b misses it by ηδ(x+1)²(x−b)²(x³ + (2b−2)x² "
     "+ c₁x + c₀).",
@@ -45,7 +45,7 @@ def cubic_variations(form: str) -> Evidence:
 
 
 @claim(
-    "X1.3-8",
+    "X1.3-12",
     "The least error of tangent cubics is not monotone in the arc: to first order in η, δ it is at least "
     "0.0489 ηδ on [−1, 0.8] and at most 0.0436 ηδ on [−1, 1]. So greedy splines of cubics need not be "
     "minimal.",
