@@ -65,20 +65,24 @@ def _grows(form: str, chosen: Any) -> Evidence:
     "point and its best bitangent conic grows strictly with the sub-arc; d is the first hit of the normal on "
     "the side where the conic lies.",
     method=Method.PROOF,
-    given=("R3.2-2",),
+    given=("R3.2-2", "X3.4-4"),
     form="k monotone",
     wrong=("k != 0",),
 )
 def conic_monotone(form: str) -> Evidence:
     """Another proof than the thesis's, which leaves out arcs whose conics cross the curve at the same point.
 
-    Let e(s) = d(u₊) = −d(u₋) be the least distance for the end s. At the peaks e′ = ∂d/∂s(u₊) = −∂d/∂s(u₋),
-    as d′ = 0 there. If e′ = 0, the conic's normal velocity ∂F/∂s has zeros at both feet, a double one at the
-    fixed end and one at the moving end: five, so by R3.3-14 it is 0 everywhere on the conic. By R3.3-15 the
-    conic then has the curve's curvature at the moving end, so it meets the arc there three times, twice at
-    the fixed end and once between: six times, against R3.2-2. Hence e′ ≠ 0, and e → 0 as s → 0 makes it
-    positive. The two steps of algebra are proved again here; arcs of affine spirals then agree, and an arc
-    with k ≠ 0 across a sextactic point shows that k must be monotone.
+    For the crossing c let D(s; c) be the largest |d| at the end s: by X3.4-4 it grows strictly with s > c.
+    The argument of X3.4-5 with D in place of the area shows that the least D(s; c), the least distance, grows
+    strictly. It needs neither unique peaks nor derivatives of the optimum.
+
+    Where the peaks u₊, u₋ are unique there is a shorter way. Let e(s) = d(u₊) = −d(u₋) be the least distance.
+    At the peaks e′ = ∂d/∂s(u₊) = −∂d/∂s(u₋), as d′ = 0 there. If e′ = 0, the conic's normal velocity ∂F/∂s
+    has zeros at both feet, a double one at the fixed end and one at the moving end: five, so by R3.3-14 it is
+    0 everywhere on the conic. By R3.3-15 the conic then has the curve's curvature at the moving end, so it
+    meets the arc there three times, twice at the fixed end and once between: six times, against R3.2-2. The
+    two steps of algebra are proved again here; arcs of affine spirals then agree, and an arc with k ≠ 0
+    across a sextactic point shows that k must be monotone.
     """
     return _grows(form, lambda pencil: pencil.best())
 
@@ -88,17 +92,18 @@ def conic_monotone(form: str) -> Evidence:
     "The area between a sub-arc of a strictly convex affine spiral arc that starts at a fixed point and its "
     "equisymmetric conic grows strictly with the sub-arc.",
     method=Method.PROOF,
-    given=("R3.2-2",),
+    given=("R3.2-2", "X3.4-4"),
     form="k monotone",
     wrong=("k != 0",),
 )
 def equisymmetric_monotone(form: str) -> Evidence:
-    """Both moons have the area A(s), so A′ = ±∫v over either part of the conic, v its normal velocity.
+    """Of all members the equisymmetric one has the least larger moon, as one moon grows and the other falls.
 
-    If A′ = 0, v changes sign on both sides of the crossing; with the double zero at the fixed end and the
-    zero at the moving end these are five zeros, and the end of the proof of Proposition 3.3.4 applies. The
-    boundary terms vanish: curve and conic meet at both ends of each part. The thesis leaves the proof to the
-    reader.
+    With a fixed crossing both moons grow strictly with the end (X3.4-4). So the argument of X3.4-5, with the
+    larger moon in place of the area, shows that the least larger moon grows strictly: it is half the area.
+    There are no boundary terms, as curve and conic meet at both ends of each moon. The thesis leaves the
+    proof to the reader. The steps of algebra of Proposition 3.3.4 are proved again here; across a sextactic
+    point it fails.
     """
     if form not in {"k monotone", "k != 0"}:
         raise DomainError(f"The hypothesis {form!r} is unknown: use 'k monotone' or 'k != 0'.")
