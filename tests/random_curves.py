@@ -3,10 +3,10 @@
 Many turns, uneven parametrisations, waves, bumps and loops whose size is a few tolerances, near-cusps,
 control points that nearly coincide, coordinates far from the origin.  Each seed makes one curve.
 
-    python -m tests.random_curves 0 2000 > tests/data/random-curves.txt
+    python -m tests.random_curves tests/data/random-curves.txt 2000
 
-prints a line for each curve and a summary; it ends with status 1 if an error is beyond its tolerance, or
-beyond what was reported.
+goes on with a record where it ends, a line for each curve, up to so many, and prints what it says in all; the
+exit status is 1 if an error is beyond its tolerance, or beyond what was reported.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import time
 import traceback
 from collections import Counter
 from dataclasses import dataclass
+from pathlib import Path
 
 import osculant as osc
 from tests.hausdorff import Formula, GaveUpError, distance
@@ -26,19 +27,21 @@ from tests.hausdorff import Formula, GaveUpError, distance
 #: so many times as large
 EXCESS, HONEST = 1 + 1e-6, 1 + 1e-5
 #: passed over: so many rounding units of the largest coordinate, of pieces that are said to be parts of the
-#: curve itself the floor of tolerances, and a part of the tolerance, that of the distance's own error
+#: curve itself the floor of tolerances, and parts of the tolerance, as the distance has an error of its own
 ROUNDING, FLOOR, SLACK = 32, 1000, 1e-7
 #: the curve's parts are polynomials to within this part of the tolerance
 RESOLVED = 1e-3
 #: CPU seconds after which an approximation counts as hanging
 PATIENCE = 20.0
-#: distances that come out nearer than this, in parts, to a limit are measured again, with so many times as
-#: many samples
-NEAR, AGAIN = 5e-7, 6
+#: verdicts that are defects of the tool
+FAILURES = ("EXCESS", "UNTOLD", "TRACEBACK", "HANG")
+#: distances that come out nearer than this, in parts, to a limit, and the largest of each curve, are measured
+#: again, with so many times as many samples, until they are within it
+NEAR, AGAIN = 5e-7, (6, 24, 96)
 #: primitives, with their share of the curves, and of those how many have another parametrisation than the
 #: plain one: special points take their time
 PLANE = {"parabola": (1, 0.1), "conic": (1, 0.1), "biarc": (2, 0.3), "polygon": (2, 0.5)}
-SPACE = {"bihelix": (3, 0.6), "polygon": (2, 0.6)}
+SPACE = {"bihelix": (3, 0.2), "polygon": (2, 0.6)}
 
 
 @dataclass(frozen=True)
@@ -266,7 +269,7 @@ class Outcome:
     @property
     def fails(self) -> bool:
         """Whether something is wrong with the tool."""
-        return self.verdict in ("EXCESS", "UNTOLD", "TRACEBACK", "HANG")
+        return self.verdict in FAILURES
 
 
 def try_out(case: Case) -> Outcome:
@@ -306,7 +309,10 @@ def measured(case: Case, segments: list[dict], spent: float) -> Outcome:
     doubtful = {max(range(len(seen)), key=lambda i: seen[i][which]) for which in (0, 1)}
     doubtful |= {i for i, (one, other) in enumerate(seen) if one > EXCESS - NEAR or other > HONEST - NEAR}
     for i in doubtful:
-        seen[i] = errors(segments[i], AGAIN)
+        for density in AGAIN:
+            seen[i] = errors(segments[i], density)
+            if seen[i][0] <= EXCESS and seen[i][1] <= HONEST:
+                break
     excess, untold = (max(found[which] for found in seen) for which in (0, 1))
     verdict = "EXCESS" if excess > EXCESS else "UNTOLD" if untold > HONEST else "within"
     return Outcome(verdict, len(segments), excess, untold, spent)
@@ -328,23 +334,36 @@ def warm() -> None:
             osc.approximate(osc.curve(text, 1, 2), primitive, 1e-2)
 
 
-def main(first: int, last: int) -> int:
-    """Try the seeds from first to last − 1 out; returns the exit status."""
-    warm()
-    verdicts, worst, untold, pieces = Counter[str](), 0.0, 0.0, 0
-    for seed in range(first, last):
-        case = draw(seed)
-        outcome = try_out(case)
-        print(line_of(case, outcome), flush=True)
-        verdicts[outcome.verdict] += 1
-        pieces += outcome.pieces
-        if not math.isnan(outcome.excess):
-            worst, untold = max(worst, outcome.excess), max(untold, outcome.untold)
+def recorded(path: Path) -> list[list[str]]:
+    """The words of a record's lines, one line for each curve."""
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    return [line.split() for line in lines if line[:6].strip().isdigit()]
+
+
+def summary(path: Path) -> str:
+    """What a record says in all."""
+    rows = recorded(path)
+    verdicts = Counter(row[1] for row in rows)
+    measured_rows = [row for row in rows if row[3] != "nan"]
+    worst, untold = (max(float(row[column]) for row in measured_rows) for column in (3, 4))
     told = ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common())
-    print(f"{last - first} curves, {pieces} pieces: {told}; largest error {worst:.9f} tolerances,")
-    print(f"{untold:.9f} times what was reported")
-    return int(any(verdicts[bad] for bad in ("EXCESS", "UNTOLD", "TRACEBACK", "HANG")))
+    return (
+        f"{len(rows)} curves, {sum(int(row[2]) for row in rows)} pieces: {told}; largest error {worst:.8f} "
+        f"tolerances and {untold:.8f} times what was reported"
+    )
+
+
+def main(path: Path, last: int) -> int:
+    """Go on with a record up to the seed ``last`` − 1; returns the exit status."""
+    warm()
+    with path.open("a", encoding="utf-8") as record:
+        for seed in range(len(recorded(path)), last):
+            case = draw(seed)
+            record.write(line_of(case, try_out(case)) + "\n")
+            record.flush()
+    print(summary(path))
+    return int(any(row[1] in FAILURES for row in recorded(path)))
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]), int(sys.argv[2])))
+    sys.exit(main(Path(sys.argv[1]), int(sys.argv[2])))

@@ -13,8 +13,13 @@ ANGLE = 1.2
 def segment(start, end, interval=(0.0, 1.0)):
     """A segment as a spline's JSON has it."""
     points = [list(start), [(x + y) / 2 for x, y in zip(start, end)], list(end)]
-    ends = {"interval": list(interval), "points": points, "middle": points[1]}
-    return {"kind": "segment", **ends, "weight": 1.0}
+    return {
+        "kind": "segment",
+        "interval": list(interval),
+        "points": points,
+        "middle": points[1],
+        "weight": 1.0,
+    }
 
 
 def arc_of_circle(radius, interval):

@@ -22,6 +22,7 @@ from osculant.cas.numbers.parts import polynomial_parts
 from osculant.cas.zeros.isolate import (
     SMALLEST,
     Box,
+    Decide,
     Isolation,
     differentiated,
     first_infinite,
@@ -45,6 +46,8 @@ SAME = 2.0**-60
 PROBES = ("0.38196601", "0.61803399", "0.14589803", "0.85410197", "0.5278640")
 #: features of the curve that are larger than this part of it have a probe of their own
 HIDDEN = 2.0**-40
+#: intervals at most on which a form is looked at alone
+MOST_SPANS = 32
 
 Jet = TypeVar("Jet")
 
@@ -119,12 +122,16 @@ class FormZeros(Generic[Jet]):
 
     def _features(self, low: Any, high: Any) -> list[float]:
         """The middles of the curve's parts, the narrowest first."""
+        parts = sorted(self._parts(low, high), key=lambda part: part[1] - part[0])
+        return [(start + end) / 2 for start, end in parts]
+
+    def _parts(self, low: Any, high: Any) -> list[tuple[float, float]]:
+        """Parts of the curve that are at least as fine as its features."""
         a, b = float(low.mid()), float(high.mid())
         with precision(PRECISION):
             points = (row[0] for t in (low, high) for row in self.curve.coefficients(arb(t.mid()), 0))
             largest = max(float(abs(x).upper()) for x in points if x.is_finite())
-        parts = pairwise(polynomial_parts(self.curve, a, b, HIDDEN * (largest or 1.0)))
-        return [(start + end) / 2 for start, end in sorted(parts, key=lambda part: part[1] - part[0])]
+        return list(pairwise(polynomial_parts(self.curve, a, b, HIDDEN * (largest or 1.0))))
 
     def require_finite(self, low: Node, high: Node, names: Sequence[str]) -> None:
         """Raises DomainError, naming the parameter, unless the named forms are finite on [low, high]."""
@@ -141,8 +148,8 @@ class FormZeros(Generic[Jet]):
         with precision(PRECISION):
             a, b = constant(low), constant(high)
             multiple = _MultipleZeros(self, (low, high))
-            found = isolate(self.evaluate, multiple, names, a, b)
-            points = self._simple(found) + multiple.points
+            found, ends = self._isolated(multiple, names, a, b)
+            points = self._simple(found) + multiple.points + ends
             known = [point.at for point in points]
             small = (b - a) * NEAR * arb(2) ** -SMALLEST
             for box in _joined(found.unresolved):
@@ -153,6 +160,52 @@ class FormZeros(Generic[Jet]):
                     places = [arb(box.low.mid()), arb(box.high.mid())]
                 points += [SpecialPoint(at, frozenset(box.open), decided=False) for at in places]
             return merged(points, b - a)
+
+    def _isolated(
+        self, decide: Decide, names: Sequence[str], low: Any, high: Any
+    ) -> tuple[Isolation, list[SpecialPoint]]:
+        """`isolate`, and the ends of where a form cannot be told from 0 at all, which is left out.
+
+        A bump on a line curves it everywhere, but nowhere so that digits could tell but where the bump is.
+        """
+        flat = [name for name in names if self._is_flat(name, low, high)]
+        found, ends = (
+            isolate(self.evaluate, decide, [name for name in names if name not in flat], low, high),
+            [],
+        )
+        for name in flat:
+            found.brackets[name] = []
+            for start, end in self._told(name, low, high):
+                part = isolate(self.evaluate, decide, [name], start, end)
+                found.brackets[name] += part.brackets[name]
+                found.unresolved += part.unresolved
+                inside = [at for at in (start, end) if at > low and at < high]
+                ends += [SpecialPoint(at, frozenset([name]), decided=False) for at in inside]
+        return found, ends
+
+    def _is_flat(self, name: str, low: Any, high: Any) -> bool:
+        """Whether a form cannot be told from 0 about one of the probes."""
+        places = [float((low + (high - low) * arb(probe)).mid()) for probe in PROBES]
+        return any(self._is_zero(name, t) and self._is_nothing(name, t) for t in places)
+
+    def _is_nothing(self, name: str, t: float) -> bool:
+        """Whether no Taylor coefficient of a form can be told from 0 at a double."""
+        series = self.series(name, arb(t), LENGTH)
+        return series is not None and all(c.contains(0) for c in series)
+
+    def _told(self, name: str, low: Any, high: Any) -> list[tuple[Any, Any]]:
+        """The intervals outside which a form cannot be told from 0, the whole if they are many."""
+        spans: list[tuple[Any, Any]] = []
+        for start, end in self._parts(low, high):
+            if self._is_nothing(name, (start + end) / 2):
+                continue
+            if spans and spans[-1][1] == start:
+                start = spans.pop()[0]
+            spans.append((start, end))
+        if len(spans) > MOST_SPANS:
+            return [(low, high)]
+        a, b = float(low.mid()), float(high.mid())
+        return [(low if x == a else arb(x), high if y == b else arb(y)) for x, y in spans]
 
     def evaluate(self, t: Any, names: Sequence[str]) -> dict[str, list[list[Any]]] | None:
         """Series of several forms and of their parts over one ball; None where the curve is not finite."""
