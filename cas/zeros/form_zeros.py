@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 from typing import Any, Generic, TypeVar
 
@@ -194,10 +194,11 @@ class FormZeros(Generic[Jet]):
         return series is not None and all(c.contains(0) for c in series)
 
     def _told(self, name: str, low: Any, high: Any) -> list[tuple[Any, Any]]:
-        """The intervals outside which a form cannot be told from 0, the whole if they are many."""
+        """The intervals on which a form can be told from 0 throughout, the whole if they are many."""
         spans: list[tuple[Any, Any]] = []
+        nothing = cache(partial(self._is_nothing, name))
         for start, end in self._parts(low, high):
-            if self._is_nothing(name, (start + end) / 2):
+            if any(map(nothing, (start, (start + end) / 2, end))):
                 continue
             if spans and spans[-1][1] == start:
                 start = spans.pop()[0]
