@@ -24,7 +24,7 @@ from osculant.cas.numbers.balls import PRECISION, FormulaBalls, precision
 from osculant.cas.numbers.quadrature import integral
 
 #: samples that tell the branches of a law apart, and halvings that find where one ends
-BRANCH_SAMPLES, BRANCH_HALVINGS = 129, 160
+BRANCH_SAMPLES, BRANCH_HALVINGS = 129, 100
 
 
 def complexity_constant(

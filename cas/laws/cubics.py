@@ -36,14 +36,25 @@ def residuals(jet: PlaneJet) -> list[Any]:
     factorials = [math.factorial(n) for n in range(ORDER + 1)]
     x, y = ([c / f for c, f in zip(row, factorials)] for row in jet.coordinates)
     heights = [c.mid() for c in free_cubics.tangent_graph(x, y, lambda value: jet.root(value, 2))]
+    unit = _unit(heights)
+    heights = [height / unit ** (n + 1) for n, height in enumerate(heights)]
     condition, thirds, residual = _compiled()
     found = []
     for root in _real_roots(condition(*heights)):
         (above, below), (other_above, other_below) = thirds(root, *heights)
         if abs(other_below).mid() > abs(below).mid():
             above, below = other_above, other_below
-        found.append(residual(root, above / below, *heights))
+        found.append(residual(root, above / below, *heights) * unit ** (ORDER - 1))
     return found
+
+
+def _unit(heights: list[Any]) -> Any:
+    """A power of 2 in which the largest coefficient is about 1, as one of length^{1−n}."""
+    from flint import arb
+
+    sizes = [abs(height).log() / (n + 1) for n, height in enumerate(heights) if height != 0]
+    largest = max((float(size) for size in sizes), default=0.0)
+    return arb(2) ** round(largest / math.log(2))
 
 
 def _real_roots(coefficients: list[Any]) -> list[Any]:
@@ -56,16 +67,37 @@ def _real_roots(coefficients: list[Any]) -> list[Any]:
     if poly.degree() < 1:
         return []
     try:
-        roots = poly.roots()
-    except (ValueError, ZeroDivisionError):
-        raise UndecidedError("Two cubics with six contacts coincide here: take another place.") from None
-    found = [root.real.mid() for root in roots if root.imag.contains(0)]
+        found = [root.real.mid() for root in poly.roots() if root.imag.contains(0)]
+    except ValueError:  # two are too close for flint to tell apart
+        found = _by_angle([c.real for c in poly.coeffs()])
     real = arb_poly([c.real for c in poly.coeffs()])
     slope = real.derivative()
     for _ in range(STEPS):
         found = [x - (real(x) / slope(x)).mid() for x in found]
         found = [x.mid() for x in found if x.is_finite()]
     return sorted(found, key=float)
+
+
+def _by_angle(coefficients: list[Any]) -> list[Any]:
+    """The real roots of a cubic, from the coefficient of a⁰ on, by Viète's and Cardano's formulas."""
+    from flint import arb
+
+    if len(coefficients) != 4:
+        raise UndecidedError("Two cubics with six contacts coincide here: take another place.")
+    c0, c1, c2 = (c / coefficients[3] for c in coefficients[:3])
+    p, q = c1 - c2 * c2 / 3, 2 * c2**3 / 27 - c1 * c2 / 3 + c0
+    under = (q * q / 4 + p**3 / 27).mid()
+    if under > 0:
+        root = under.sqrt()
+        larger = -q / 2 - root if q > 0 else -q / 2 + root
+        part = abs(larger).root(3) * (-1 if larger < 0 else 1)
+        found = [part - p / (3 * part)]
+    else:
+        size = (-p / 3).mid().max(arb(0)).sqrt()
+        cosine = (-q / (2 * size**3)).mid().max(arb(-1)).min(arb(1)) if size > 0 else arb(0)
+        third = 2 * arb.pi() / 3
+        found = [2 * size * (cosine.acos() / 3 - third * k).cos() for k in range(3)]
+    return [(x - c2 / 3).mid() for x in found]
 
 
 @cache

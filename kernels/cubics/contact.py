@@ -62,8 +62,11 @@ def least_residual(heights: np.ndarray[Any, Any]) -> float:
         heights[n] /= unit ** (n - 1)
     y2, y3, y4, y5, y6 = heights[2], heights[3], heights[4], heights[5], heights[6]
     rows[0, 3], rows[0, 2], rows[0, 1], rows[0, 0] = generated.condition(y2, y3, y4, y5)
-    least = math.inf
-    for i in range(real_zeros(rows, -FARTHEST, FARTHEST, found)):
+    least, reach = math.inf, FARTHEST
+    if rows[0, 3] != 0.0:  # Cauchy's bound of the roots
+        largest = max(abs(rows[0, 0]), abs(rows[0, 1]), abs(rows[0, 2]))
+        reach = min(FARTHEST, 1.001 + largest / abs(rows[0, 3]))
+    for i in range(real_zeros(rows, -reach, reach, found)):
         a = found[0, i]
         above, below, other_above, other_below = generated.thirds(a, y2, y3, y4, y5)
         b = above / below if abs(below) > abs(other_below) else other_above / other_below

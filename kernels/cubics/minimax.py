@@ -14,7 +14,8 @@ import numpy as np
 
 from osculant.kernels.cubics.arms import SHORTEST, Ends, ends_of, reach
 from osculant.kernels.cubics.exchange import Arms, level, likely_rival
-from osculant.kernels.cubics.scan import BY0, BY3, D, Space, look, measure, peaks_of, trace
+from osculant.kernels.cubics.programs import CONSTRAINTS, gather, looked, lowest, lowest_by_sum
+from osculant.kernels.cubics.scan import Space, look, measure
 from osculant.kernels.cubics.starts import starts
 from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.generated import cubics as generated
@@ -24,105 +25,15 @@ from osculant.kernels.jit import kernel
 ROUNDS, ENOUGH = 40, 1e-9
 #: differences of arms to start from besides, in parts of the sum
 TILTS = (0.0, 0.5, -0.5, 0.85, -0.85)
-#: peaks are visited so often for a linear program
-BRIEF = 2
 #: the trust region at first, in parts of the arms, and the least one
 REGION, NARROWEST = 0.1, 1e-12
-#: peaks and samples in one linear program, and samples among them
-CONSTRAINTS, AMONG = 20, 7
+#: corrections of the sum for one difference; the first step along the valley in parts of the sum, steps at
+#: most, and golden sections, each of which leaves this part of the longer side
+SUMS, FIRST, SLIDES, SECTIONS, GOLDEN = 5, 1e-3, 12, 24, 0.381966
 #: what fast steps level peaks to, after the search
 CALM = 1e-9
 #: a rival that has no three peaks is looked at so closely, and sought with care if it is so much lower
 RIVAL_POINTS, RIVAL_ROUNDS, LOWER = 9, 4, 1.05
-
-
-@kernel
-def gather(space: Space, found: int, count: int, table: np.ndarray[Any, Any]) -> int:
-    """Fill ``table`` with (d, derivative by the sum, by the difference) of peaks and samples; how many."""
-    size = 0
-    for k in range(min(found, CONSTRAINTS - AMONG)):
-        peak, row = space.peaks[k], table[size]
-        row[0], row[1], row[2] = peak[1], peak[2] + peak[3], peak[2] - peak[3]
-        size += 1
-    for k in range(AMONG):
-        at, row = space.samples[(2 * k + 1) * count // (2 * AMONG)], table[size]
-        row[0], row[1], row[2] = at[D], at[BY0] + at[BY3], at[BY0] - at[BY3]
-        size += 1
-    return size
-
-
-@kernel
-def lowest_by_sum(table: np.ndarray[Any, Any], size: int, by_difference: float) -> tuple[float, float]:
-    """(level, change of the sum) that makes max |d| least for a given change of the difference."""
-    top, step = 0.0, 0.0
-    for i in range(size):
-        di = table[i, 0] + by_difference * table[i, 2]
-        for j in range(i + 1, size):
-            dj = table[j, 0] + by_difference * table[j, 2]
-            gi, gj = table[i, 1], table[j, 1]
-            total = abs(gi) + abs(gj)
-            if not total > 0.0:
-                continue
-            value = abs(di * gj - dj * gi) / total
-            if value > top:
-                # d + g·step is ±value at both
-                sign = math.copysign(1.0, (di * gj - dj * gi) * gj)
-                top = value
-                if abs(gi) >= abs(gj):
-                    step = (sign * value - di) / gi
-                else:
-                    sign = -math.copysign(1.0, (di * gj - dj * gi) * gi)
-                    step = (sign * value - dj) / gj
-    return top, step
-
-
-@kernel
-def lowest(table: np.ndarray[Any, Any], size: int, region: float) -> tuple[float, float, float]:
-    """(level, change of the sum, change of the difference) that makes max |d| least, to first order.
-
-    The least maximum of three unknowns is the largest of those of any three rows (Helly).
-    """
-    top, by_sum, by_difference = 0.0, 0.0, 0.0
-    for i in range(size):
-        for j in range(i + 1, size):
-            wk = table[i, 1] * table[j, 2] - table[j, 1] * table[i, 2]
-            for k in range(j + 1, size):
-                wi = table[j, 1] * table[k, 2] - table[k, 1] * table[j, 2]
-                wj = table[k, 1] * table[i, 2] - table[i, 1] * table[k, 2]
-                total = abs(wi) + abs(wj) + abs(wk)
-                if not total > 0.0:
-                    continue
-                sum_d = wi * table[i, 0] + wj * table[j, 0] + wk * table[k, 0]
-                if not abs(sum_d) > top * total:
-                    continue
-                top = abs(sum_d) / total
-                side = math.copysign(top, sum_d)
-                ui = math.copysign(side, side * wi) - table[i, 0]
-                uj = math.copysign(side, side * wj) - table[j, 0]
-                uk = math.copysign(side, side * wk) - table[k, 0]
-                if abs(wk) >= abs(wi) and abs(wk) >= abs(wj):
-                    by_sum = (ui * table[j, 2] - uj * table[i, 2]) / wk
-                    by_difference = (uj * table[i, 1] - ui * table[j, 1]) / wk
-                elif abs(wi) >= abs(wj):
-                    by_sum = (uj * table[k, 2] - uk * table[j, 2]) / wi
-                    by_difference = (uk * table[j, 1] - uj * table[k, 1]) / wi
-                else:
-                    by_sum = (uk * table[i, 2] - ui * table[k, 2]) / wj
-                    by_difference = (ui * table[k, 1] - uk * table[i, 1]) / wj
-    if abs(by_difference) > region:
-        by_difference = math.copysign(region, by_difference)
-        top, by_sum = lowest_by_sum(table, size, by_difference)
-    return top, by_sum, by_difference
-
-
-@kernel
-def looked(
-    source: Source, a: float, b: float, ends: Ends, a0: float, a3: float, count: int, space: Space
-) -> tuple[float, int]:
-    """(max |d|, peaks) of a cubic over the samples in ``space``; infinite if it strays."""
-    if not (min(a0, a3) >= SHORTEST * ends.chord and trace(ends, a0, a3, space.samples, count)):
-        return math.inf, 0
-    return peaks_of(source, a, b, ends, a0, a3, count, space, BRIEF)
 
 
 @kernel
@@ -170,6 +81,67 @@ def lowered(
 
 
 @kernel
+def along_valley(
+    source: Source, a: float, b: float, ends: Ends, total: float, difference: float, count: int, space: Space
+) -> tuple[float, float]:
+    """(max |d|, sum) of the cubic that has the least with a given difference of arms, from a sum nearby."""
+    table = np.empty((CONSTRAINTS, 3))
+    least = abs(difference) + 2.0 * SHORTEST * ends.chord
+    best, best_total, total = math.inf, total, max(total, least)
+    for _ in range(SUMS):
+        error, found = looked(
+            source, a, b, ends, 0.5 * (total + difference), 0.5 * (total - difference), count, space
+        )
+        if not error < best:
+            break
+        best, best_total = error, total
+        _, by_sum = lowest_by_sum(table, gather(space, found, count, table), 0.0)
+        total = max(least, total + 2.0 * by_sum)
+    return best, best_total
+
+
+@kernel
+def slid(
+    source: Source, a: float, b: float, ends: Ends, error: float, a0: float, a3: float, count: int,
+    space: Space,
+) -> tuple[float, float, float]:  # fmt: skip
+    """(max |d|, arms) after following the valley down from given arms, where it is too curved for `lowered`.
+
+    Steps of the difference grow while the error falls; golden sections then find where it is least.
+    """
+    total, at = a0 + a3, a0 - a3
+    for side in (-1.0, 1.0):
+        behind, step = at, side * FIRST * total
+        ahead = at + step
+        value, found = along_valley(source, a, b, ends, total, ahead, count, space)
+        if not value < error * (1.0 - ENOUGH):
+            continue
+        for _ in range(SLIDES):
+            behind, at, error, total = at, ahead, value, found
+            step *= 2.0
+            ahead = at + step
+            value, found = along_valley(source, a, b, ends, total, ahead, count, space)
+            if not value < error:
+                break
+        for _ in range(SECTIONS):
+            on = abs(ahead - at) > abs(behind - at)
+            probe = at + GOLDEN * ((ahead if on else behind) - at)
+            value, found = along_valley(source, a, b, ends, total, probe, count, space)
+            if value < error:
+                if on:
+                    behind = at
+                else:
+                    ahead = at
+                at, error, total = probe, value, found
+            elif on:
+                ahead = probe
+            else:
+                behind = probe
+        break
+    return error, 0.5 * (total + at), 0.5 * (total - at)
+
+
+@kernel
 def best(
     fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
 ) -> tuple[float, Arms]:
@@ -191,6 +163,9 @@ def best(
             error, arm0, arm3 = value, a0, a3
     if not error < math.inf:
         return math.inf, Arms(math.nan, math.nan)
+    value, a0, a3 = slid(source, a, b, ends, error, arm0, arm3, count, space)
+    if value < error:
+        _, arm0, arm3 = lowered(source, a, b, ends, a0, a3, count, ROUNDS, space)
     error = measure(source, a, b, ends, arm0, arm3, points, space)
     fine = level(source, a, b, ends, arm0, arm3, generated.FIRST, 0.5, generated.LAST, CALM)
     if fine.settled and error > 0.0:

@@ -147,7 +147,7 @@ def test_no_arms_nearby_have_less_area():
 def test_given_numbers_have_equal_errors():
     curve = osc.curve(*CURVES["spiral"])
     for metric in ("hausdorff", "area"):
-        for count in (1, 2, 5, 12):
+        for count in (2, 3, 5, 12):
             spline = osc.approximate(curve, "cubic", pieces=count, metric=metric)
             assert len(spline) == count
             assert np.ptp(spline.errors) <= 1e-6 * max(spline.errors)
@@ -251,9 +251,9 @@ def test_nearly_straight_curves(power, text):
         ("t, t^4", -1, 1),
         ("t, t^6", -1, 1),
         ("t, exp(-1/t^2)", "1/10", 1),
-        ("t, t^(5/2)", 0, 1),
+        ("t, t^(5/2)", "1/100", 1),
         ("t, 1e-6*sin(1000*t)", 0, 1),
-        ("t, sqrt(t)", "1e-9", 1),
+        ("t, log(t)", "1/50", 1),
         ("t^9, t^18", "1/10", 1),
         ("1e6+t, sin(t)", 0, 3),
         ("exp(-t/5)*cos(t), exp(-t/5)*sin(t)", 0, 30),
