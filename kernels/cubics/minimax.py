@@ -23,6 +23,9 @@ from osculant.kernels.jit import kernel
 
 #: rounds from one start, the promise of a linear program that ends them, and that of a rival
 ROUNDS, ENOUGH = 40, 1e-9
+#: rounds that tell which start is the best; the second is followed, too, if it is so much worse at most, and
+#: if its arms differ by more than this part
+FEW_ROUNDS, RIVAL, ALIKE = 5, 3.0, 1e-3
 #: differences of arms to start from besides, in parts of the sum
 TILTS = (0.0, 0.5, -0.5, 0.85, -0.85)
 #: the trust region at first, in parts of the arms, and the least one
@@ -152,13 +155,22 @@ def best(
         return math.inf, Arms(math.nan, math.nan)
     _, tried = starts(source, a, b, ends, space.rows, space.zeros, space.arms)
     error, arm0, arm3 = math.inf, math.nan, math.nan
-    for i in range(tried + len(TILTS)):
+    second, next0, next3 = math.inf, math.nan, math.nan
+    for i in range(tried + len(TILTS)):  # from all a few rounds, from the two best as many as it takes
         if i < tried:
             a0, a3 = space.arms[i, 0], space.arms[i, 1]
         else:
             arm = reach(ends)
             a0, a3 = arm * (1.0 + TILTS[i - tried]), arm * (1.0 - TILTS[i - tried])
-        value, a0, a3 = lowered(source, a, b, ends, a0, a3, count, ROUNDS, space)
+        value, a0, a3 = lowered(source, a, b, ends, a0, a3, count, FEW_ROUNDS, space)
+        if value < error:
+            second, next0, next3 = error, arm0, arm3
+            error, arm0, arm3 = value, a0, a3
+        elif value < second and abs(a0 - arm0) + abs(a3 - arm3) > ALIKE * (a0 + a3):
+            second, next0, next3 = value, a0, a3
+    error, arm0, arm3 = lowered(source, a, b, ends, arm0, arm3, count, ROUNDS, space)
+    if second < RIVAL * error:
+        value, a0, a3 = lowered(source, a, b, ends, next0, next3, count, ROUNDS, space)
         if value < error:
             error, arm0, arm3 = value, a0, a3
     if not error < math.inf:

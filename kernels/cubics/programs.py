@@ -15,7 +15,7 @@ from osculant.kernels.jit import kernel
 #: peaks are visited so often for a linear program
 BRIEF = 2
 #: peaks and samples in one linear program, and samples among them
-CONSTRAINTS, AMONG = 20, 7
+CONSTRAINTS, AMONG = 16, 5
 
 
 @kernel

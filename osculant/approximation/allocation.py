@@ -18,8 +18,6 @@ from osculant.cas.errors import DomainError, UndecidedError
 
 #: greedy pieces are checked for one too many only up to so many of them
 CHECKED_PIECES = 20_000
-#: so few greedy pieces are checked for one too many in any case where errors are not monotone
-FEW = 30
 #: a last piece that is less than this part of a full one is looked at in any case
 CLOSE = 0.02
 #: bisections of the level, and the ratio that ends them
@@ -45,9 +43,12 @@ def fewest(
     return (less if less.error <= tolerance else run), not run.limited
 
 
-def fewer(part: Part, run: Run, tolerance: float) -> Run:
-    """The run, or fewer pieces where errors that fall as arcs grow have ended greedy pieces early."""
-    while not part.exact and part.least < len(run) <= FEW:
+def fewer(part: Part, run: Run, tolerance: float, few: int) -> Run:
+    """The run, or fewer pieces where errors that fall as arcs grow have ended greedy pieces early.
+
+    So it is sought if there are at most ``few``.
+    """
+    while not part.exact and part.least < len(run) <= few:
         less = equalise(part, len(run) - 1)
         if less.error > tolerance:
             break

@@ -101,7 +101,8 @@ class Fitting:
         ends, runs, certain = window(tolerance, self.rounding), [], True
         for i, part in enumerate(self.parts):
             run, sure = fewest(part, *ends, tolerance, share_of(progress, i, len(self.parts)))
-            runs.append(run if self.fit.primitive.monotone else fewer(part, run, tolerance))
+            kind = self.fit.primitive
+            runs.append(run if kind.monotone else fewer(part, run, tolerance, kind.few))
             certain &= sure
         found = Fitted(self.division, self.parts, runs, certain)
         return self._from_elsewhere(found, tolerance, lambda count: tolerance)

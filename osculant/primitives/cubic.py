@@ -65,4 +65,5 @@ CUBIC = Primitive(
     segment=segment,
     splits=(),
     monotone=False,
+    few=8,
 )

@@ -56,6 +56,7 @@ class Primitive:
         theory: those where only theory wants a knot, as errors are not monotone across.
         itself: of curves that are arcs of the primitive; None if only straight lines are.
         monotone: whether an error grows with the arc, away from the points above.
+        few: where it need not, one piece less is sought for so many, at most, that the search finds.
         minimal: what is claimed of the least number of pieces that the search finds.
         smooth: whether pieces meet with a common tangent; others are no candidates for the best.
         fewest: what is said beside the number of pieces where they do not, as "fewest" means other splines.
@@ -75,6 +76,7 @@ class Primitive:
     segment: Callable[[tuple[float, float], Any, Any], Any]
     splits: tuple[str, ...] = ("inflection",)
     monotone: bool = True
+    few: int = 30
     smooth: bool = True
     fewest: str = ""
 
