@@ -87,8 +87,8 @@ def _away(points: Floats, line: Floats) -> float:
 def points_of(path: Any, count: int) -> Floats:
     """Points of a path of kurbo's cubics."""
     cubics = list(path.segments())
-    u = np.linspace(0, 1, count // len(cubics))[:, None]
-    parts = []
+    u = np.linspace(0, 1, count // len(cubics) + 1)[1:, None]
+    parts = [np.array([[cubics[0].p0.x, cubics[0].p0.y]])]
     for cubic in cubics:
         p0, p1, p2, p3 = (np.array([p.x, p.y]) for p in (cubic.p0, cubic.p1, cubic.p2, cubic.p3))
         steps = [(b - a) for a, b in pairwise((p0, p1, p2, p3))]
