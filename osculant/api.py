@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from osculant.approximation.approximate import approximate_best, approximate_curve
+from osculant.approximation.best import approximate_best
+from osculant.approximation.for_files import approximate_for, wanted_files
 from osculant.approximation.prediction import Complexity, complexity_of_curve
 from osculant.cas.errors import DomainError
 from osculant.curves.curve import coordinates_of
@@ -45,6 +46,7 @@ def approximate(
     closed: bool | None = None,
     split: str = "theory",
     split_at: Sequence[Any] = (),
+    files: Any = None,
     progress: Callable[[float], None] | None = None,
 ) -> Spline:
     """The tangent-continuous spline with the fewest pieces for a tolerance, or the best of a given number.
@@ -54,9 +56,10 @@ def approximate(
         primitive: "parabola", "conic" (the default in the plane), "biarc" (two circular arcs with a common
             tangent, each piece turning by less than π, and by less than 2π where the curve is a circle) or
             "cubic" (a Bézier curve, tangent at both ends with both arms free; it may pass inflections);
-            "best" chooses the one that takes the fewest numbers to store (`Spline.choice` tells them; of
-            equals the first named here), with the knots that ``split`` demands; in space "bihelix" (two
-            helical arcs); in both "polygon" (inscribed chords, whose pieces are not tangent).
+            "best" chooses the one that takes the fewest numbers to store, in the first of ``files`` if there
+            are any (`Spline.choice` tells them; of equals the first named here), with the knots that
+            ``split`` demands; in space "bihelix" (two helical arcs); in both "polygon" (inscribed chords,
+            whose pieces are not tangent).
         tolerance: the error allowed, 1e-6 unless ``pieces`` is given.
         pieces: a number of pieces instead of a tolerance: the least greatest error of a piece, for which all
             errors between two split points are equal.
@@ -74,6 +77,11 @@ def approximate(
             "never" only at inflections and cusps, which often saves a piece but nothing proves that the
             number is then the least.
         split_at: parameter values that shall be knots besides, or one.
+        files: what will be written, so that the files keep the tolerance too: a path, several, or a mapping
+            of paths to options of `Spline.write`, such as ``{"part.nc": {"decimals": 3}}``. All that could
+            be refused about them is refused before anything is computed; nothing is written. The search gets
+            the tolerance less what they need (`Spline.reserved`), and of several ways to share it the one
+            with the shortest first file.
         progress: called now and then with the part done, 0…1.
 
     Returns a `Spline`: its pieces' errors are measured after the search, distances on common normals of
@@ -97,15 +105,19 @@ def approximate(
     '5.78e-05'
     >>> len(osc.approximate(spiral, "conic", 1e-4, metric="area"))
     13
+    >>> spline = osc.approximate(spiral, "biarc", 1e-2, files={"spiral.nc": {"decimals": 3}})
+    >>> spline.tolerance, 0 < spline.reserved < 1e-3  # of the tolerance, for rounding to three decimals
+    (0.01, True)
     """
     _check_curve(curve)
     wanted: dict[str, Any] = {
         "pieces": pieces, "rule": rule, "metric": metric, "closed": closed, "split": split,
         "split_at": _several(split_at), "progress": progress,
     }  # fmt: skip
+    targets = wanted_files(files, curve.dimension)
     if primitive == "best":
-        return approximate_best(curve, tolerance, **wanted)
-    return approximate_curve(curve, primitive or USUAL[curve.dimension], tolerance, **wanted)
+        return approximate_best(curve, tolerance, targets, **wanted)
+    return approximate_for(curve, primitive or USUAL[curve.dimension], tolerance, targets, **wanted)
 
 
 def complexity(

@@ -10,18 +10,19 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.certificates.splines import Certificate, certify
-from osculant.files.facts import Facts, usual_budget
+from osculant.files.facts import Facts
 from osculant.files.figures import DRAWN_POINTS, draw
-from osculant.files.registry import writer_of
-from osculant.files.writing import write_whole
+from osculant.files.json import data_of
+from osculant.files.output import write_file
 from osculant.pieces.chain import Chain
-from osculant.tolerances import checked_budget
 
 if TYPE_CHECKING:
     import os
 
     from numpy.typing import ArrayLike
 
+    from osculant.files.deviation import Follow
+    from osculant.files.drafts import Written
     from osculant.pieces.piece import Box, Floats, PieceLike
 
 
@@ -69,6 +70,7 @@ class Spline:
         given: what was asked for, "tolerance" or "pieces".
         gap: of a given number of pieces on a closed curve that may begin anywhere: by what part of itself the
             error might be smaller from another start. Else None; by tolerance ``minimal`` says all.
+        reserved: what of the tolerance the search left for writing files.
         choice: what each primitive takes, if the choice was left to `osculant.approximate`.
         predict: called at most once, when `predicted` or its like is first asked for.
         certificate: what `certify` proved; None until it is called, which alone sets it.
@@ -102,6 +104,7 @@ class Spline:
     split: str = "theory"
     given: Literal["tolerance", "pieces"] = "tolerance"
     gap: float | None = None
+    reserved: float = 0.0
     choice: tuple[str, ...] | None = None
     predict: Callable[[], Prediction] | None = field(default=None, compare=False)
     certificate: Certificate | None = field(default=None, init=False, compare=False)
@@ -254,43 +257,8 @@ class Spline:
         return None if self._prediction is None else self._prediction.predicted_error
 
     def to_json(self) -> dict[str, Any]:
-        """Return the spline as plain dictionaries, lists and numbers.
-
-        Keys: "curve" (the formula), "primitive", "rule", "closed", "split", "given", "gap", "choice" (null
-        where they do not apply), "metric", "tolerance", "pieces" (their number), "knots", "error",
-        "error_kind", "errors", "predicted", "predicted_pieces", "predicted_error" (null where unknown or not
-        finite), "minimal", "undecided", "splits" and "cusps" (parameters), "segments" (the pieces, as
-        `Piece.to_json`, `Biarc.to_json`, `Cubic.to_json` or `SpacePiece.to_json` says), "certificate"
-        (`Certificate.to_json`; null: none was asked for).
-        """
-        predicted = self.predicted
-        finite = predicted is not None and math.isfinite(predicted)
-        return {
-            "curve": self.curve.text,
-            "primitive": self.primitive,
-            "rule": self.rule,
-            "closed": self.closed,
-            "split": self.split,
-            "given": self.given,
-            "gap": self.gap,
-            "choice": None if self.choice is None else list(self.choice),
-            "metric": self.metric,
-            "tolerance": float(self.tolerance),
-            "pieces": len(self),
-            "knots": self.knots,
-            "error": self.error,
-            "error_kind": self.error_kind,
-            "errors": self.errors,
-            "predicted": predicted if finite else None,
-            "predicted_pieces": self.predicted_pieces if finite else None,
-            "predicted_error": self.predicted_error if finite else None,
-            "minimal": self.minimal,
-            "undecided": list(map(float, self.undecided)),
-            "splits": list(map(float, self.splits)),
-            "cusps": self.cusps,
-            "segments": [piece.to_json() for piece in self.pieces],
-            "certificate": None if self.certificate is None else self.certificate.to_json(),
-        }
+        """Return the spline as plain data: `osculant.files.json.data_of` lists the keys."""
+        return data_of(self)
 
     def facts(self, command: str | None = None) -> Facts:
         """What its files tell about it.
@@ -311,37 +279,38 @@ class Spline:
             command=command,
         )
 
-    def write(
-        self,
-        path: str | os.PathLike[str],
-        *,
-        reserve: float | None = None,
-        decimals: int | None = None,
-        units: Literal["mm", "inch"] | None = None,
-        command: str | None = None,
-    ) -> None:
+    def write(self, path: str | os.PathLike[str], *, command: str | None = None, **options: Any) -> Written:
         """Write the spline to a file, whole or not at all; its suffix says how.
 
+        What is written is measured by its own numbers, as rounded, and refused if it leaves the tolerance. A
+        spline that was approximated with ``files`` has room for those; another one has no more than its error
+        leaves, which suffices for many digits but not for few, nor for curves that stand for others. If a
+        number of pieces was given nothing is refused, as no tolerance was.
+
         Args:
-            path: the suffix is one of `osculant.files.registry`, of a format for splines of its dimension.
-            reserve: how far what is written may be from the pieces, chords for helices aside; by default
-                what the tolerance leaves. Formats that hold every number exactly have no use for it.
-            decimals: of G-code. Formats for which this, or another option, means nothing pass it over.
-            units: of G-code and DXF; by default none are written.
+            path: the suffix is one of `osculant.files.registry`, of a format for splines of its dimension;
+                "-" and a suffix, such as "-.svg", is standard output.
             command: the command line that made the spline, recorded in the file.
+            options: of the format, by the names of its function: `osculant.files.svg.svg` ("knots"),
+                `osculant.files.gcode.gcode` ("decimals", "units", "feed", "dialect", "largest_angle",
+                "smallest_radius", "largest_radius"), `osculant.files.dxf.dxf` ("entities", "units").
+
+        Returns:
+            What was written: its path, format, error, moves and numbers.
 
         Raises:
             OsculantError: an unknown suffix, or a file that cannot be written.
-            DomainError: pieces that the format cannot hold.
-            ToleranceError: a reserve too small for the digits, or decimals too few for the reserve.
+            DomainError: pieces that the format cannot hold; an option that it has not.
+            ToleranceError: a file that would leave the tolerance.
         """
-        writer, facts = writer_of(path, self.chain.dimension), self.facts(command)
-        budget = usual_budget(self.chain, facts) if reserve is None else reserve
-        if writer.rounds:
-            checked_budget(budget, self.chain.largest, asked=reserve is not None)
-        given = {"decimals": decimals, "units": units}
-        options = {name: value for name, value in given.items() if value is not None and writer.takes(name)}
-        write_whole(path, writer.text(self.chain, facts, budget, **options))
+        facts = self.facts(command)
+        return write_file(path, self.chain, facts, self.follow, options, kept=self.given == "tolerance")
+
+    @property
+    def follow(self) -> Follow | None:
+        """What computes the curve's points at parameters, shape (m, dimension); None of no known formula."""
+        jets = getattr(self.curve, "jets", None)
+        return None if jets is None else lambda t: jets(t)[..., 0]
 
     def plot(self, path: str | os.PathLike[str] | None = None, axes: Any = None) -> Any:
         """Draw the pieces in alternating colours with the knots marked, by means of matplotlib.

@@ -59,34 +59,27 @@ def writing_share(tolerance: float, rounding: float) -> float:
     return max(WINDOW * tolerance, WINDOW_ULPS * rounding) / 4
 
 
-def checked_budget(budget: float, largest: float, asked: bool = True) -> float:
-    """A writer's budget; raises ToleranceError if coordinates cannot be rounded to within it.
+def checked_budget(budget: float, largest: float) -> float:
+    """What a writer may round by; raises ToleranceError if coordinates cannot be rounded to within it.
 
     Args:
         budget: how far what is written may be from the pieces.
         largest: their largest absolute coordinate.
-        asked: whether it was asked for; else it is what the tolerance leaves.
 
     >>> checked_budget(1e-9, 6.0)
     1e-09
-    >>> checked_budget(1e-17, 6.0, asked=False)
+    >>> checked_budget(1e-17, 6.0)
     Traceback (most recent call last):
     ...
     osculant.cas.errors.ToleranceError: The error leaves 1e-17 of the tolerance for rounding coordinates of 6,
-    which takes 3.55e-15: write with a larger reserve, such as 3.6e-12, or approximate with a larger
-    tolerance.
+    which takes 3.55e-15: name the file when approximating, or choose a larger tolerance.
     """
     least = writing_share(0.0, math.ulp(largest)) / 2
     if least <= budget < math.inf:
         return budget
-    if asked:
-        raise ToleranceError(
-            f"Coordinates of {largest:.3g} cannot be written to within {budget!r}; allow at least {least!r}."
-        )
     raise ToleranceError(
         f"The error leaves {budget:.3g} of the tolerance for rounding coordinates of {largest:.3g}, which "
-        f"takes {least:.3g}: write with a larger reserve, such as {1e3 * least:.1e}, or approximate with a "
-        "larger tolerance."
+        f"takes {least:.3g}: name the file when approximating, or choose a larger tolerance."
     )
 
 

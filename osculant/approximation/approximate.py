@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.approximation.closing import closing
@@ -12,8 +11,8 @@ from osculant.approximation.division import divide
 from osculant.approximation.prediction import prediction, quick_complexity
 from osculant.approximation.request import requested
 from osculant.approximation.runs import whole_error
-from osculant.cas.errors import DomainError, UndecidedError
-from osculant.primitives.table import candidates, choose
+from osculant.cas.errors import DomainError
+from osculant.primitives.table import choose
 from osculant.spline import Prediction, Spline
 from osculant.tolerances import FLOOR_ULPS, check_floor, writing_share
 
@@ -40,10 +39,12 @@ def approximate_curve(
     split: str,
     split_at: Sequence[Any],
     progress: Progress | None,
+    reserved: float = 0.0,
 ) -> Spline:
-    """What `osculant.approximate` says, for one primitive."""
+    """What `osculant.approximate` says, for one primitive, with so much of the tolerance left for writing."""
     fit = choose(primitive, metric, rule, dimension=curve.dimension, curve=curve.text)
-    allowed, count = requested(tolerance, pieces)
+    asked, count = requested(tolerance, pieces)
+    allowed = asked - reserved
     curve.check_finite()
 
     from osculant.approximation.fitting import Fitting  # these load the kernels: only once there is work
@@ -61,7 +62,7 @@ def approximate_curve(
     if count is not None:
         found = fitting.for_number(count)
         error = whole_error(found.runs, fit.degree)
-        allowed = error + writing_share(error, rounding)
+        asked = allowed = error + writing_share(error, rounding)
     elif metric == "area":
         found = fitting.for_area(allowed, progress)
     else:
@@ -83,7 +84,8 @@ def approximate_curve(
         primitive=primitive,
         metric=metric,
         rule=fit.rule,
-        tolerance=allowed,
+        tolerance=asked,
+        reserved=reserved if count is None else 0.0,
         pieces=tuple(found.pieces()),
         minimal=_minimal(found, fit, rounding, count is None),
         undecided=found.division.undecided,
@@ -123,34 +125,3 @@ def _minimal(
     if not found.certain or division.unsplit or any(part.exact for part in found.parts):
         return "unknown"
     return fit.primitive.minimal
-
-
-def approximate_best(
-    curve: FormulaCurve, tolerance: float | None, *, pieces: int | None, rule: str | None, **wanted: Any
-) -> Spline:
-    """The spline of the primitive that takes the fewest numbers to store; `Spline.choice` tells of all.
-
-    Raises DomainError with a number of pieces or a rule if there are several, as these belong to one
-    primitive, and whatever the last primitive raises if none can approximate the curve.
-    """
-    names = candidates(curve.dimension)
-    for name, value in (("number of pieces", pieces), ("rule", rule)):
-        if value is not None and len(names) > 1:
-            raise DomainError(
-                f"The {name} {value!r} belongs to one primitive: name that and not 'best', or leave it out."
-            )
-    found: list[Spline] = []
-    reasons: list[str] = []
-    for primitive in names:
-        try:
-            spline = approximate_curve(curve, primitive, tolerance, pieces=pieces, rule=rule, **wanted)
-        except UndecidedError as error:
-            reasons.append(f"{primitive}: {error}")
-            failure = error
-            continue
-        found.append(spline)
-        reasons.append(f"{primitive}: {len(spline)} pieces, {spline.numbers} numbers")
-    if not found:
-        raise failure
-    best = min(found, key=lambda spline: spline.numbers)
-    return replace(best, choice=tuple(reasons))

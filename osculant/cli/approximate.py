@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from contextlib import nullcontext, redirect_stdout
 from time import perf_counter
 from typing import Annotated
 
@@ -17,13 +19,13 @@ from osculant.cli.options import (
     Primitive,
     SplitAt,
     both_ends,
-    check_files,
+    check_plot,
     writing_options,
 )
 from osculant.cli.output import Waiting, announce_compiling, print_json
 from osculant.cli.splines import print_spline
 from osculant.files.registry import WRITERS, writers
-from osculant.files.writing import listed
+from osculant.files.writing import listed, stands_for_stdout
 from osculant.primitives.table import METRICS, PRIMITIVES
 
 FORMATS = [f"{writer.name} ({listed(writer.suffixes, 'or')})" for writer in WRITERS]
@@ -88,22 +90,77 @@ Certify = Annotated[
 ]
 Write = Annotated[
     list[str] | None,
-    typer.Option("--write", metavar="FILE", help=f"Write {listed(FORMATS, 'or')}; repeatable."),
-]
-Reserve = Annotated[
-    str | None,
     typer.Option(
-        "--reserve",
-        metavar="R",
-        help=f"How far {_takers('reserve')} may be from the pieces; by default what the tolerance leaves.",
+        "--write",
+        metavar="FILE",
+        help=f"Write {listed(FORMATS, 'or')}, within the tolerance; repeatable. -.svg is standard output as "
+        "SVG, and so for the others; what is told goes to standard error then.",
     ),
 ]
 Decimals = Annotated[
-    str | None, typer.Option("--decimals", metavar="N", help=f"Decimals of {_takers('decimals')}.")
+    str | None,
+    typer.Option(
+        "--decimals",
+        metavar="N",
+        help=f"Decimals of {_takers('decimals')}; by default the fewest, at least 3, or 4 of inches, that "
+        "cost a tenth of the tolerance.",
+    ),
 ]
 Units = Annotated[
     str | None,
     typer.Option("--units", metavar="mm|inch", help=f"Units written to {_takers('units')}; by default none."),
+]
+Feed = Annotated[
+    str | None,
+    typer.Option(
+        "--feed",
+        metavar="F",
+        help=f"Feed rate of {_takers('feed')}, in units a minute; by default 600 mm or 24 inches.",
+    ),
+]
+Dialect = Annotated[
+    str | None,
+    typer.Option(
+        "--dialect",
+        metavar="linuxcnc|grbl|marlin",
+        help=f"The controller that {_takers('dialect')} is for, by default linuxcnc.",
+    ),
+]
+LargestAngle = Annotated[
+    str | None,
+    typer.Option(
+        "--largest-angle",
+        metavar="A",
+        help=f"Arcs of {_takers('largest_angle')} turn by less than so many degrees, such as 180.",
+    ),
+]
+SmallestRadius = Annotated[
+    str | None,
+    typer.Option(
+        "--smallest-radius", metavar="R", help=f"Smaller arcs of {_takers('smallest_radius')} become chords."
+    ),
+]
+LargestRadius = Annotated[
+    str | None,
+    typer.Option(
+        "--largest-radius", metavar="R", help=f"Larger arcs of {_takers('largest_radius')} become chords."
+    ),
+]
+Entities = Annotated[
+    str | None,
+    typer.Option(
+        "--entities",
+        metavar="polyline|arcs",
+        help=f"What {_takers('entities')} has: few polylines and splines, or an entity for each arc.",
+    ),
+]
+Knots = Annotated[
+    bool | None,
+    typer.Option(
+        "--knots/--no-knots",
+        help=f"Whether {_takers('knots')} shows the knots; by default it does.",
+        show_default=False,
+    ),
 ]
 Plot = Annotated[
     str | None, typer.Option("--plot", metavar="FILE", help="Draw with matplotlib, to .png, .pdf, ...")
@@ -125,9 +182,15 @@ def approximate(
     split_at: SplitAt = None,
     certify: Certify = False,
     write: Write = None,
-    reserve: Reserve = None,
     decimals: Decimals = None,
     units: Units = None,
+    feed: Feed = None,
+    dialect: Dialect = None,
+    largest_angle: LargestAngle = None,
+    smallest_radius: SmallestRadius = None,
+    largest_radius: LargestRadius = None,
+    entities: Entities = None,
+    knots: Knots = None,
     plot: Plot = None,
     as_json: AsJson = False,
 ) -> None:
@@ -136,9 +199,23 @@ def approximate(
     Such as: osculant approximate "t*cos(t), t*sin(t)" --from pi/6 --to 2*pi --metric area --pieces 9
     """
     low, high = both_ends(low, high)
-    write = write or []
-    check_files(write, plot, primitive)
-    options = writing_options(write, reserve=reserve, decimals=decimals, units=units)
+    files = writing_options(
+        write or [],
+        decimals=decimals,
+        units=units,
+        feed=feed,
+        dialect=dialect,
+        largest_angle=largest_angle,
+        smallest_radius=smallest_radius,
+        largest_radius=largest_radius,
+        entities=entities,
+        knots=knots,
+    )
+    check_plot(plot)
+    piped = [file for file in files if stands_for_stdout(file)]
+    if len(piped) + as_json > 1:
+        others = [*piped, *(["--json"] if as_json else [])]
+        raise UsageError(f"Only one of {listed(others)} can be standard output: leave the others out.")
 
     from osculant import api
 
@@ -158,17 +235,18 @@ def approximate(
             closed=closed,
             split=split,
             split_at=split_at or (),
+            files=files,
             progress=progress,
         )
     if certify:
         with Waiting("certifying") as progress:
             spline.certify(progress)
     seconds = perf_counter() - began
-    for file in write:
-        spline.write(file, command=context.obj, **options[file])
+    written = [spline.write(file, command=context.obj, **options) for file, options in files.items()]
     if plot is not None:
         spline.plot(plot)
     if as_json:
-        print_json(spline.to_json())
-    else:
-        print_spline(spline, seconds, [*write, *([] if plot is None else [plot])])
+        print_json(spline.to_json() | {"files": [file.to_json() for file in written]})
+        return
+    with redirect_stdout(sys.stderr) if piped else nullcontext():
+        print_spline(spline, seconds, written, [] if plot is None else [plot])

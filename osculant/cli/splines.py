@@ -10,15 +10,20 @@ from typing import TYPE_CHECKING
 from osculant.cli.output import print_rows, printable
 
 if TYPE_CHECKING:
+    from osculant.files.drafts import Written
     from osculant.spline import Spline
 
 #: split points that are listed
 LISTED = 8
+#: what the strokes of a file are called, by its format, if not curves
+MOVES = {"G-code": "moves", "JSON": "pieces"}
 #: of a spline without the splits that theory wants
 UNSPLIT = "never where only theory wants it: errors are measured, but nothing proves the number minimal"
 
 
-def print_spline(spline: Spline, seconds: float, files: Sequence[str]) -> None:
+def print_spline(
+    spline: Spline, seconds: float, files: Sequence[Written], pictures: Sequence[str] = ()
+) -> None:
     """Print what was made, how good it is and whether it is the best, one fact a line."""
     rows = [
         ("curve", spline.curve.text),
@@ -32,9 +37,18 @@ def print_spline(spline: Spline, seconds: float, files: Sequence[str]) -> None:
         *([("split", UNSPLIT)] if spline.split == "never" and spline.minimal == "unknown" else []),
         *([("undecided", _listed(spline.undecided))] if spline.undecided else []),
         ("time", f"{seconds:.3g} s"),
-        *(("written", printable(file)) for file in files),
+        *(("written", _written(file)) for file in files),
+        *(("written", printable(picture)) for picture in pictures),
     ]
     print_rows(rows)
+
+
+def _written(file: Written) -> str:
+    """A file, with the error of what it draws."""
+    return (
+        f"{printable(file.path)}: error {file.error:.7g}, {file.moves} {MOVES.get(file.format, 'curves')}, "
+        f"{file.numbers} numbers"
+    )
 
 
 def _choice(spline: Spline) -> list[tuple[str, str]]:
@@ -75,16 +89,23 @@ def _size(spline: Spline) -> list[tuple[str, str]]:
     if spline.given == "pieces":
         error = spline.predicted_error
         theory = unknown if error is None else f"{error:.6g}"
-        return [("pieces", f"{len(spline)} (given)"), ("predicted error", theory)]
+        return [("pieces", f"{_pieces(spline)} (given)"), ("predicted error", theory)]
     theory = unknown
     if spline.predicted is not None:
         theory = f"{spline.predicted:.6g}, in whole pieces {spline.predicted_pieces}"
     among = PRIMITIVES[spline.chain.dimension][spline.primitive].fewest
+    kept = f", of which {spline.reserved:.3g} is kept for writing" if spline.reserved else ""
     return [
-        ("pieces", f"{len(spline)}, {among}" if among else str(len(spline))),
+        ("pieces", f"{_pieces(spline)}, {among}" if among else _pieces(spline)),
         ("predicted", theory),
-        ("tolerance", f"{spline.tolerance:g}"),
+        ("tolerance", f"{spline.tolerance:g}{kept}"),
     ]
+
+
+def _pieces(spline: Spline) -> str:
+    """The number of pieces, and of arcs where a piece has two."""
+    arcs = len(spline.chain.arcs)
+    return str(len(spline)) if arcs == len(spline) else f"{len(spline)}, of {arcs} arcs"
 
 
 def _error(spline: Spline) -> list[tuple[str, str]]:

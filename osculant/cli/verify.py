@@ -10,8 +10,9 @@ from typing import Annotated
 import typer
 
 from osculant.cli.grammar import UsageError
-from osculant.cli.options import AsJson, check_place
+from osculant.cli.options import AsJson
 from osculant.cli.output import Waiting, print_json, printable, tell
+from osculant.files.writing import check_place
 
 #: exit status if a claim fails
 FAILED = 1

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from osculant.tolerances import writing_share
 from osculant.version import __version__
 
 if TYPE_CHECKING:
@@ -49,30 +47,56 @@ class Facts:
     command: str | None = None
     version: str = __version__
 
+    def length_tolerance(self, chain: Chain) -> float:
+        """The tolerance as a distance: that of an area is the width of a strip so large along the spline."""
+        return self.tolerance / width_of(self.metric, chain)
 
-def header(facts: Facts, budget: float | None = None, **more: str | None) -> dict[str, str]:
+    def room(self, chain: Chain) -> float:
+        """How far what is written may be from the pieces if the tolerance is to be kept.
+
+        >>> from osculant.pieces.chain import Chain
+        >>> from osculant.pieces.conics import Piece
+        >>> chord = Chain([Piece.segment((0.0, 1.0), (0.0, 0.0), (3.0, 4.0))])
+        >>> facts = Facts(
+        ...     curve="t, t**2", primitive="conic", pieces=1, tolerance=0.1, metric="area", error=0.05,
+        ...     error_kind="estimate", closed=False, data=dict,
+        ... )
+        >>> round(facts.room(chord), 12)
+        0.01
+        """
+        return max(0.0, self.tolerance - self.error) / width_of(self.metric, chain)
+
+
+def width_of(metric: str, chain: Chain) -> float:
+    """What a unit of length costs: 1, or in the metric "area" the length of the spline."""
+    if metric != "area":
+        return 1.0
+    return float(np.linalg.norm(np.diff(chain.sample(POINTS), axis=0), axis=1).sum())
+
+
+def header(facts: Facts, written: str | None = None, **more: str | None) -> dict[str, str]:
     """What stands at the head of a file, by names.
 
     Args:
         facts: of the spline.
-        budget: by how much writing may have moved it, if at all.
+        written: what is known of the error of the file.
         more: further facts of the format; None leaves one out.
 
     >>> facts = Facts(
     ...     curve="t, t**2", primitive="conic", pieces=1, tolerance=0.1, metric="hausdorff", error=0.0,
     ...     error_kind="exact", closed=False, data=dict, version="1",
     ... )
-    >>> header_lines(header(facts, 1e-3, decimals="4"))[3:]
-    ['tolerance: 0.1 (hausdorff)', 'error: 0.0 (exact), of writing at most 0.001 more', 'decimals: 4']
+    >>> header_lines(header(facts, "1e-3", decimals="4"))[3:]
+    ['tolerance: 0.1 (hausdorff)', 'error: 0.0 (exact)', 'error of this file: 1e-3', 'decimals: 4']
     """
-    writing = "" if budget is None else f", of writing at most {budget!r} more"
     rows = {
         "osculant": facts.version,
         "command": facts.command,
         "curve": facts.curve,
         "primitive": f"{facts.primitive}, {facts.pieces} pieces",
         "tolerance": f"{facts.tolerance!r} ({facts.metric})",
-        "error": f"{facts.error!r} ({facts.error_kind}){writing}",
+        "error": f"{facts.error!r} ({facts.error_kind})",
+        "error of this file": written,
         **more,
     }
     return {name: text for name, text in rows.items() if text is not None}
@@ -82,28 +106,3 @@ def header_lines(rows: dict[str, str]) -> list[str]:
     """A `header` in lines, the name of the program and its version first."""
     (program, version), *others = rows.items()
     return [f"{program} {version}", *(f"{name}: {text}" for name, text in others)]
-
-
-def usual_budget(chain: Chain, facts: Facts) -> float:
-    """How far what is written may be from a spline's pieces: what the tolerance leaves, if it is little.
-
-    Args:
-        chain: the pieces.
-        facts: with the tolerance and the error.
-
-    >>> from osculant.pieces.chain import Chain
-    >>> from osculant.pieces.conics import Piece
-    >>> chord = Chain([Piece.segment((0.0, 1.0), (0.0, 0.0), (2.0, 4.0))])
-    >>> facts = Facts(
-    ...     curve="t, t**2", primitive="conic", pieces=1, tolerance=0.1, metric="hausdorff", error=0.0,
-    ...     error_kind="exact", closed=False, data=dict,
-    ... )
-    >>> usual_budget(chord, facts) == 0.1 * 2.5e-7
-    True
-    """
-    rounding = math.ulp(chain.largest)
-    length = 1.0
-    if facts.metric == "area":  # of a strip along both curves
-        length = 2 * float(np.linalg.norm(np.diff(chain.sample(POINTS), axis=0), axis=1).sum())
-    left = max(0.0, facts.tolerance - facts.error)
-    return min(writing_share(facts.tolerance, rounding * length), left) / length

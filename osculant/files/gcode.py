@@ -1,193 +1,282 @@
 """Splines as G-code: `G2` and `G3` for circular arcs and helices about a coordinate axis, `G1` for lines.
 
-Coordinates are absolute, I, J and K relative to the start of the arc, all with the same number of decimals.
-What is written stays within a budget of the spline's pieces. Its parts:
-
-* rounding of numbers to their last unit u, half of it: 4u, as `osculant.files.motions` shows. The radius of
-  an arc differs at its ends, as printed, by less than u/2;
-* arcs that are lines to within u are written so. Those with a radius above `straight_radius` are written
-  as chords within a quarter of the budget: controllers lose digits to centres far away;
-* a helix whose axis is tilted from the coordinate axis by so little that no point moves by more than an
-  eighth of the budget is written as if it were not.
-
-Helical arcs about other axes are beyond G-code: chords stand for them, n = ⌈L√(κ/(8τ))⌉ for the length L and
-a tolerance τ of their own, which the header tells. A helix whose Darboux vector (`osculant.pieces.helices`)
-points along + of the axis is a `G3` there. Source: thesis, Lemma 4.2.1 with its erratum.
+Coordinates are absolute, I, J and K relative to the start of the arc, all with the same number of decimals;
+`osculant.files.motions` says how they are rounded. Arcs that are too large for the digits of their centre, or
+too small for a machine, are written as chords. A helix whose axis is tilted from the coordinate axis by so
+little that no point moves by more than a tenth of the last unit is written as if it were not; for others
+chords stand (`osculant.files.round_arcs`). A helix whose Darboux vector (`osculant.pieces.helices`) points
+along + of the axis is a `G3` there. Source: thesis, Lemma 4.2.1 with its erratum.
 """
 
 from __future__ import annotations
 
 import math
-import re
-import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Collection, Sequence
 from decimal import Decimal
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError, ToleranceError
+from osculant.files.dialects import FEEDS, UNITS, dialect_of, mismatch_in_units, program_text
+from osculant.files.drafts import Draft
 from osculant.files.facts import header, header_lines
-from osculant.files.motions import ROUNDING, Arc, Program
-from osculant.files.round_arcs import chords_needed, circular_arcs, helical_arcs
-from osculant.tolerances import checked_budget, checked_tolerance
+from osculant.files.gcode_reading import readings
+from osculant.files.motions import LARGEST_TURNING, Program
+from osculant.files.round_arcs import (
+    balanced_chords,
+    check_room,
+    chords_needed,
+    circle_turn,
+    circular_arcs,
+    helical_arcs,
+    helix_turn,
+    sliding,
+)
 
 if TYPE_CHECKING:
     from osculant.files.facts import Facts
+    from osculant.files.motions import Arc
     from osculant.pieces.chain import Chain
-    from osculant.pieces.conics import Piece
     from osculant.pieces.helices import HelixArc
 
-LEAST_DECIMALS = 4
+LEAST_DECIMALS = {"mm": 3, "inch": 4, None: 3}
+#: more decimals than doubles of ordinary size have
+MOST_DECIMALS = 17
+#: of the tolerance, what the usual decimals cost at most
+ROUNDING = 0.1
+#: of the tolerance, what is kept for helices that others stand for: chords fall with the root of it
+CONVERTED = (0.9, 0.6)
+#: of a last unit, what is kept at first for rounding, and how far a tilted helix may be moved
+EXPECTED, TILT = 0.25, 0.1
 STRAIGHT = 1e5  # the radius of arcs written as chords, relative to the larger extent of the spline
-LINE_LENGTH = 100  # of comments
-UNITS = {"mm": "G21", "inch": "G20"}
+
+
+def needs(tolerance: float, kinds: Collection[str], **options: Any) -> tuple[float, ...]:
+    """What to keep for writing, as lengths: each is worth a trial, and the first if nothing is converted.
+
+    Args:
+        tolerance: of the spline, as a length.
+        kinds: of the arcs that the spline may have.
+        options: those of `gcode`.
+
+    Raises:
+        ToleranceError: decimals that are too few for the tolerance.
+        DomainError: options that make no sense.
+
+    >>> needs(1e-2, ["arc"]), needs(1.0, ["helix"])
+    ((0.00025,), (0.00025, 0.9, 0.6))
+    """
+    check(**options)
+    decimals = options.get("decimals")
+    unit = 10.0 ** -(usual_decimals(tolerance, options.get("units")) if decimals is None else decimals)
+    if unit / 2 > tolerance:
+        raise ToleranceError(
+            f"Rounding to {decimals} decimals moves points by {unit / 2:.3g} and more, and the tolerance is "
+            f"{tolerance:.3g}: give {max(0, math.ceil(-math.log10(tolerance)))} decimals or more."
+        )
+    shares = (*CONVERTED,) if "helix" in kinds else ()
+    return (min(EXPECTED * unit, tolerance / 2), *(share * tolerance for share in shares))
+
+
+def usual_decimals(tolerance: float, units: str | None) -> int:
+    """The fewest decimals, at least 3, or 4 of inches, that cost at most a tenth of a tolerance.
+
+    >>> usual_decimals(1e-2, "mm"), usual_decimals(1e-3, None), usual_decimals(1.0, "inch")
+    (3, 4, 4)
+    """
+    return max(LEAST_DECIMALS[units], math.ceil(-math.log10(ROUNDING * tolerance) - 1e-9))
+
+
+def check(
+    *,
+    decimals: int | None = None,
+    units: str | None = None,
+    feed: float | None = None,
+    dialect: str = "linuxcnc",
+    largest_angle: float | None = None,
+    smallest_radius: float = 0.0,
+    largest_radius: float | None = None,
+) -> None:
+    """Raises DomainError for options of `gcode` that make no sense."""
+    dialect_of(dialect)
+    if units not in (None, *UNITS):
+        raise DomainError(f"The units of G-code are 'mm' or 'inch', not {units!r}.")
+    if decimals is not None and (type(decimals) is not int or not 0 <= decimals <= MOST_DECIMALS):
+        raise DomainError(
+            f"The number of decimals is {decimals!r}: give a whole number from 0 to {MOST_DECIMALS}."
+        )
+    for what, value in (
+        ("feed rate", feed),
+        ("largest angle", largest_angle),
+        ("largest radius", largest_radius),
+    ):
+        if value is not None and not 0 < value < math.inf:
+            raise DomainError(f"The {what} is {value!r}: give a positive finite number.")
+    if not 0 <= smallest_radius < math.inf:
+        raise DomainError(f"The smallest radius is {smallest_radius!r}: give a finite number, 0 or more.")
 
 
 def gcode(
     chain: Chain,
     facts: Facts,
-    budget: float,
+    room: float,
     *,
     decimals: int | None = None,
-    straight_radius: float | None = None,
-    chord_tolerance: float | None = None,
     units: Literal["mm", "inch"] | None = None,
     feed: float | None = None,
-) -> str:
-    """Return a spline of biarcs or bihelices as a G-code program that moves once along it.
+    dialect: Literal["linuxcnc", "grbl", "marlin"] = "linuxcnc",
+    largest_angle: float | None = None,
+    smallest_radius: float = 0.0,
+    largest_radius: float | None = None,
+) -> Draft:
+    """Return a spline of biarcs, bihelices or segments as a G-code program that moves once along it.
 
     Args:
         chain: its pieces.
-        facts: of the spline, recorded in the header, with the errors of writing and of chords.
-        budget: how far the written curve may be from the pieces. Machines with few decimals need a large one.
-        decimals: of all coordinates; by default as many as the budget needs, at least 4.
-        straight_radius: arcs of larger radius are written as chords; by default 100 000 times the larger
-            extent of the spline.
-        chord_tolerance: for the chords of helical arcs that no `G2` or `G3` can write; by default the
-            spline's tolerance, so that such a program is within twice that.
+        facts: of the spline, recorded in the header.
+        room: how far the written curve may be from the pieces, for the tolerance to be kept.
+        decimals: of all coordinates; by default the fewest, at least 3, or 4 of inches, of which the last
+            unit is at most a tenth of the tolerance, and the room if that is less.
         units: "mm" writes `G21`, "inch" `G20`; by default neither: the machine's setting holds.
-        feed: the feed rate, written with the first motion after the start; by default none.
+        feed: the feed rate in units a minute, written with the first motion after the start; by default 600
+            of millimetres and 24 of inches, or of what units the machine has.
+        dialect: of the controller, "linuxcnc", "grbl" or "marlin".
+        largest_angle: arcs turn by less than so many degrees; by default half turns are allowed.
+        smallest_radius: arcs of smaller radius are written as chords.
+        largest_radius: arcs of larger radius are written as chords; by default 100 000 times the larger
+            extent of the spline.
 
     Returns:
-        The program's text, ASCII.
+        The program, ASCII, before it is written.
 
     Raises:
-        DomainError: a piece of a conic that is neither circle nor line; impossible decimals, units, feed.
-        ToleranceError: decimals too few for the budget, or a budget below half of the 8 rounding units.
+        DomainError: a piece of a conic that is neither circle nor line; options that make no sense.
+        ToleranceError: no room for the chords of helices.
 
     >>> import osculant as osc
-    >>> half = osc.approximate(osc.curve("cos(t), sin(t)", 0, "pi"), "biarc")
-    >>> print("".join(gcode(half.chain, half.facts(), 1e-3).splitlines(keepends=True)[-4:]), end="")
-    G0 X1.0000 Y0.0000
-    G3 X0.0000 Y1.0000 I-1.0000 J0.0000
-    G3 X-1.0000 Y0.0000 I0.0000 J-1.0000
+    >>> half = osc.approximate(osc.curve("cos(t), sin(t)", 0, "pi"), "biarc", 1e-2)
+    >>> for line in gcode(half.chain, half.facts(), 1e-2).text(None).splitlines()[-4:]:
+    ...     print(line)
+    G0 X1.000 Y0.000
+    G3 X0.000 Y1.000 I-1.000 J0.000 F24.0
+    G3 X-1.000 Y0.000 I0.000 J-1.000
     M2
     """
-    if units not in (None, *UNITS):
-        raise DomainError(f"The units of G-code are 'mm' or 'inch', not {units!r}.")
-    if decimals is not None and not isinstance(decimals, int):
-        raise DomainError(f"The number of decimals is {decimals!r}: give a whole number such as 4.")
-    if feed is not None and not (0 < feed < math.inf):
-        raise DomainError(f"The feed rate is {feed!r}: give a positive finite number.")
-    if straight_radius is None:
-        straight_radius = STRAIGHT * max(high - low for low, high in zip(*chain.bounding_box()))
-    chord_tolerance = checked_tolerance(facts.tolerance if chord_tolerance is None else chord_tolerance)
-    decimals = _digits(budget, chain.largest, decimals)
-
-    program = Program(decimals, chain.pieces[0].start)
-    for circular in circular_arcs(chain, "G-code"):
-        if circular.kind == "segment":
-            program.line(circular.end)
-        else:
-            _turn(program, _circle(circular), straight_radius, budget)
-    chorded = 0
-    for arc in helical_arcs(chain):
-        helix = _helix(arc, budget / 8)
-        if arc.kind == "segment":
-            program.line(arc.end)
-        elif helix is not None:
-            _turn(program, helix, straight_radius, budget)
-        else:
-            chorded += 1
-            program.chords(_points(arc), chords_needed(arc.curvature * arc.length**2, chord_tolerance))
-    if feed is not None and len(program.lines) > 1:
-        first = next(i for i, line in enumerate(program.lines) if line.startswith(("G1 ", "G2 ", "G3 ")))
-        program.lines[first] += f" F{Decimal(repr(float(feed))):f}"
-
-    head = header(
-        facts,
-        budget,
-        chords=f"{chorded} helical arcs, at most {chord_tolerance!r} more" if chorded else None,
-        decimals=f"{decimals}; I, J and K relative to the start of an arc",
-        units="those of the curve, as the machine is set" if units is None else units,
-    )
-    comments = [line for fact in header_lines(head) for line in _comment(fact)]
-    modes = " ".join(["G17", "G90", *([] if units is None else [UNITS[units]])])
-    return "\n".join([*comments, modes, *program.lines, "M2", ""])
-
-
-def _digits(budget: float, largest: float, decimals: int | None) -> int:
-    """Return the number of decimals."""
-    checked_budget(budget, largest)
-    needed = max(0, math.ceil(math.log10(2 * ROUNDING / budget) - 1e-9))
+    check(
+        decimals=decimals, units=units, feed=feed, dialect=dialect, largest_angle=largest_angle,
+        smallest_radius=smallest_radius, largest_radius=largest_radius,
+    )  # fmt: skip
+    extent = max(high - low for low, high in zip(*chain.bounding_box()))
     if decimals is None:
-        return max(LEAST_DECIMALS, needed)
-    if not needed <= decimals:
-        raise ToleranceError(
-            f"Rounding to {decimals} decimals moves the path by up to {ROUNDING * 10.0**-decimals:.0e}, more "
-            f"than half of the {budget:.3g} kept for writing: give {needed} decimals, or "
-            f"a reserve of {2 * ROUNDING * 10.0**-decimals:.0e}."
+        tolerance = min(facts.length_tolerance(chain), room / ROUNDING)
+        decimals = min(usual_decimals(tolerance, units), most_decimals(chain.largest))
+    controller = dialect_of(dialect)
+    program = Program(
+        decimals,
+        chain.pieces[0].start,
+        float(chain.ends[0]),
+        largest_turning=min(LARGEST_TURNING, math.radians(largest_angle or 360.0)),
+        mismatch=mismatch_in_units(controller, units, decimals),
+    )
+    radii = smallest_radius, STRAIGHT * extent if largest_radius is None else largest_radius
+    if any(_tilted(arc, program) for arc in helical_arcs(chain)):
+        check_room(room, facts.length_tolerance(chain))
+    converted = _plane(program, chain, radii, room) + _space(program, chain, radii, room)
+    lines = program.lines
+    strokes = readings(lines, chain.dimension)
+    numbers = chain.dimension + sum(line.count(" ") for line in lines[1:])
+    if len(lines) > 1:
+        rate = FEEDS[units] if feed is None else float(feed)
+        first = next((i for i, line in enumerate(lines) if line.startswith(("G1 ", "G2 ", "G3 "))), None)
+        if first is not None:
+            lines[first] += f" F{Decimal(repr(rate)):f}"
+
+    def text(error: str | None) -> str:
+        head = header(
+            facts,
+            written=error,
+            chords=f"for {converted} arcs" if converted else None,
+            decimals=f"{decimals}, I, J and K relative to the start of an arc",
+            units="those of the curve, as the machine is set" if units is None else units,
         )
-    return decimals
+        planes = any(line in ("G18", "G19") for line in lines)
+        return program_text(controller, header_lines(head), units, lines, planes)
+
+    return Draft(
+        text=text,
+        readings=strokes if strokes[0] else (),
+        ends=program.ends,
+        moves=len(strokes[0]),
+        numbers=numbers,
+        converted=converted,
+    )
 
 
-def _turn(program: Program, arc: Arc, straight_radius: float, budget: float) -> None:
-    """Move along an arc, by chords if it is too straight for the digits of its centre."""
-    if arc.chord_square / 8 <= 10.0**-program.decimals:
-        program.chords(arc.point, 1)
-    elif arc.radius > straight_radius:
-        program.chords(arc.point, chords_needed(arc.chord_square, budget / 4))
-    else:
-        program.turn(arc)
+def most_decimals(largest: float) -> int:
+    """The decimals that a double of this size has, so that more would say nothing.
+
+    >>> most_decimals(6.0), most_decimals(1e6)
+    (15, 9)
+    """
+    return max(0, -math.ceil(math.log10(math.ulp(largest)) - 1e-9)) if largest else MOST_DECIMALS
 
 
-def _circle(arc: Piece) -> Arc:
-    """Return a circular arc in the plane."""
-    cx, cy = arc.legs[2]
-    half = arc.turning / 2
-    chord = math.hypot(cx, cy)
-    sine = math.sin(half)
-    radius = chord / (2 * abs(sine)) if sine else math.inf
-
-    def point(fraction: float) -> tuple[float, float]:
-        if fraction == 1.0 or not sine:
-            return (arc.start[0] + fraction * cx, arc.start[1] + fraction * cy) if fraction < 1 else arc.end
-        size, angle = math.sin(fraction * half) / sine, (fraction - 1) * half
-        u, v = size * math.cos(angle), size * math.sin(angle)
-        return arc.start[0] + u * cx - v * cy, arc.start[1] + u * cy + v * cx
-
-    square = chord * 2 * half**2 / abs(sine) if sine else 0.0  # κL² = L·2|half|
-    return Arc(point, 2, 2 * half, radius, square)
+def _plane(program: Program, chain: Chain, radii: tuple[float, float], room: float) -> int:
+    """Move along the arcs of a chain in the plane; returns how many are chords."""
+    arcs = circular_arcs(chain, "G-code")
+    converted = 0
+    spans = zip(chain.ends.tolist(), chain.ends[1:].tolist())
+    for arc, tangent, span in zip(arcs, sliding(arcs), spans):
+        if arc.kind == "segment":
+            program.line(arc.end, span[1], tangent)
+        else:
+            converted += _turn(program, circle_turn(arc), span, tangent, radii, room)
+    return converted
 
 
-def _helix(arc: HelixArc, tilt: float) -> Arc | None:
-    """Return a helical arc about a coordinate axis, or None if tilting it there moves a point by more."""
-    axis = max(range(3), key=lambda k: abs(arc.axis[k]))
-    away = math.hypot(*(arc.axis[k] for k in range(3) if k != axis))
-    if away * arc.length > tilt:
-        return None
-    turning = math.copysign(arc.turning, arc.axis[axis])
-    return Arc(_points(arc), axis, turning, arc.radius, arc.curvature * arc.length**2)
+def _space(program: Program, chain: Chain, radii: tuple[float, float], room: float) -> int:
+    """Move along the arcs of a chain in space; returns how many are chords."""
+    arcs = helical_arcs(chain)
+    ends = chain.ends.tolist()
+    converted, run = 0, 0
+    for i, (arc, tangent) in enumerate(zip(arcs, sliding(arcs))):
+        helix = helix_turn(arc, TILT * program.unit)
+        if arc.kind == "segment":
+            program.line(arc.end, ends[i + 1], tangent)
+        elif helix is not None:
+            converted += _turn(program, helix, (ends[i], ends[i + 1]), tangent, radii, room)
+        else:
+            converted, run = converted + 1, run + 1
+            after = arcs[i + 1] if i + 1 < len(arcs) else None
+            if tangent is None or after is None or not _tilted(after, program):
+                chosen = slice(i + 1 - run, i + 1)
+                vertices, at = balanced_chords(arcs[chosen], ends[i + 1 - run : i + 2], _room(room, program))
+                for vertex, t in zip(vertices, at):
+                    program.line(vertex, t)
+                run = 0
+    return converted
 
 
-def _points(arc: HelixArc) -> Callable[[float], Sequence[float]]:
-    def point(fraction: float) -> Sequence[float]:
-        found: list[float] = arc.point(fraction).tolist()
-        return found
-
-    return point
+def _tilted(arc: HelixArc, program: Program) -> bool:
+    return arc.kind != "segment" and helix_turn(arc, TILT * program.unit) is None
 
 
-def _comment(fact: str) -> list[str]:
-    """Return a fact as comments; their text can hold neither parentheses nor what is not ASCII."""
-    text = re.sub(r"[^ -~]", "?", fact.replace("(", "[").replace(")", "]"))
-    return [f"({line})" for line in textwrap.wrap(text, LINE_LENGTH)]
+def _room(room: float, program: Program) -> float:
+    """What rounding leaves for chords."""
+    return max(room - 3**0.5 / 2 * program.unit, room / 2)
+
+
+def _turn(
+    program: Program,
+    arc: Arc,
+    span: tuple[float, float],
+    tangent: Sequence[float] | None,
+    radii: tuple[float, float],
+    room: float,
+) -> bool:
+    """Move along an arc, by chords if it is too straight or too small; returns whether it is so."""
+    smallest, largest = radii
+    if smallest <= arc.radius <= largest:
+        program.turn(arc, span, tangent)
+        return False
+    program.chords(arc.point, chords_needed(arc.chord_square, _room(room, program)), span)
+    return True

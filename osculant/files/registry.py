@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from osculant.cas.errors import OsculantError
-from osculant.files.writing import listed, not_installed
+from osculant.cas.errors import DomainError, OsculantError
+from osculant.files.writing import STDOUT, listed, not_installed, stands_for_stdout
 from osculant.pieces.kinds import KINDS
 
 if TYPE_CHECKING:
+    from osculant.files.drafts import Draft
     from osculant.files.facts import Facts
     from osculant.pieces.chain import Chain
 
@@ -26,13 +27,14 @@ class Writer:
     Attributes:
         name: of the format.
         suffixes: of its files, in small letters with their point.
-        function: "module:function" of what makes a file's text of a `Chain`, its `Facts` and a budget, which
-            is how far what is written may be from the chain, and of ``options`` by keyword.
+        function: "module:function" of what makes a `Draft` of a `Chain`, its `Facts` and a room, which is how
+            far what is written may be from the chain, and of ``options`` by keyword.
         dimensions: of the splines it takes, 2, 3 or both.
         exact: the kinds of arcs (`KINDS`) that it holds as they are, up to the rounding of numbers.
-        replaced: the kinds that other curves stand for, within the budget or a tolerance of the function's.
+        replaced: the kinds that other curves stand for, within the room.
         options: what the function can be told besides.
-        rounds: whether it rounds numbers and so needs a budget.
+        needs: "module:function" of what it needs of a tolerance, by the kinds of arcs and the options: sums
+            that are worth a trial, the first of them enough where nothing is replaced; None needs nothing.
         extra: the package that it needs and the extra of osculant that brings it, or None.
     """
 
@@ -43,44 +45,72 @@ class Writer:
     exact: tuple[str, ...]
     replaced: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
-    rounds: bool = False
+    needs: str | None = None
     extra: tuple[str, str] | None = None
-
-    def takes(self, option: str) -> bool:
-        """Whether `Spline.write` can tell it that: one of ``options``, or "reserve" if it rounds.
-
-        >>> writer_of("a.svg").takes("reserve"), writer_of("a.svg").takes("units")
-        (True, False)
-        """
-        return option in self.options or (option == "reserve" and self.rounds)
 
     def holds(self, kinds: Iterable[str]) -> bool:
         """Whether it can write arcs of these kinds, exactly or otherwise.
 
-        >>> writer_of("a.dxf").holds(["segment", "helix"]), writer_of("a.dxf").holds(["parabola"])
+        >>> writer_of("a.nc").holds(["segment", "helix"]), writer_of("a.nc").holds(["parabola"])
         (True, False)
         """
         return set(kinds) <= {*self.exact, *self.replaced}
+
+    def check(
+        self, kinds: Collection[str], tolerance: float, options: Mapping[str, Any]
+    ) -> tuple[float, ...]:
+        """What of a tolerance to keep for a file, or several sums to try; all that can be refused is now.
+
+        Args:
+            kinds: of the arcs that will be written.
+            tolerance: as a length.
+            options: for the writer's function.
+
+        Raises:
+            DomainError: an option that it has not, or of no meaning.
+            ToleranceError: options that the tolerance does not allow.
+            OsculantError: a package that is missing.
+        """
+        self.check_options(options)
+        self.check_installed()
+        if self.needs is None:
+            return (0.0,)
+        found: tuple[float, ...] = _loaded(self.needs)(tolerance, kinds, **options)
+        return found
+
+    def check_options(self, options: Iterable[str]) -> None:
+        """Raises DomainError for an option that it has not."""
+        for option in options:
+            if option not in self.options:
+                able = [writer.name for writer in WRITERS if option in writer.options]
+                has = f"it is one of {listed(able)}" if able else f"it has {listed(self.options) or 'none'}"
+                raise DomainError(f"{self.name} has no option {option!r}: {has}.", argument=option)
 
     def check_installed(self) -> None:
         """Raises OsculantError if the package that it needs is missing."""
         if self.extra is not None and find_spec(self.extra[0]) is None:
             raise not_installed(self.name, *self.extra)
 
-    def text(self, chain: Chain, facts: Facts, budget: float, **options: Any) -> str:
-        """What a file of it says.
+    def draft(self, chain: Chain, facts: Facts, room: float, options: Mapping[str, Any]) -> Draft:
+        """A file before it is written.
 
         Args:
             chain: the pieces of a spline.
             facts: about it.
-            budget: how far what is written may be from the chain.
+            room: how far what is written may be from the chain if the tolerance is to be kept.
             options: those of ``options`` that are not the usual.
 
         Raises what the format's own function does.
         """
-        module, _, function = self.function.partition(":")
-        made: str = getattr(import_module(module), function)(chain, facts, budget, **options)
+        self.check_options(options)
+        made: Draft = _loaded(self.function)(chain, facts, room, **options)
         return made
+
+
+def _loaded(name: str) -> Any:
+    """What "module:function" names."""
+    module, _, function = name.partition(":")
+    return getattr(import_module(module), function)
 
 
 def register(*writers: Writer) -> tuple[Writer, ...]:
@@ -110,7 +140,7 @@ WRITERS = register(
         exact=("segment", "arc", "parabola", "ellipse", "cubic"),
         replaced=("hyperbola",),  # by cubics
         options=("knots",),
-        rounds=True,
+        needs="osculant.files.svg:needs",
     ),
     Writer(
         name="JSON",
@@ -126,17 +156,26 @@ WRITERS = register(
         dimensions=(2, 3),
         exact=("segment", "arc"),
         replaced=("helix",),  # by chords, unless its axis is one of the coordinates'
-        options=("decimals", "straight_radius", "chord_tolerance", "units", "feed"),
-        rounds=True,
+        options=(
+            "decimals",
+            "units",
+            "feed",
+            "dialect",
+            "largest_angle",
+            "smallest_radius",
+            "largest_radius",
+        ),
+        needs="osculant.files.gcode:needs",
     ),
     Writer(
         name="DXF",
         suffixes=(".dxf",),
         function="osculant.files.dxf:dxf",
         dimensions=(2, 3),
-        exact=("segment", "arc"),
+        exact=("segment", "arc", "parabola", "ellipse", "hyperbola"),
         replaced=("helix",),  # by chords
-        options=("entities", "chord_tolerance", "units"),
+        options=("entities", "units"),
+        needs="osculant.files.dxf:needs",
         extra=("ezdxf", "cad"),
     ),
 )
@@ -145,11 +184,11 @@ WRITERS = register(
 def writers(dimension: int | None = None, option: str | None = None) -> list[Writer]:
     """All formats, or those for splines of a dimension, or those that take an option of `Spline.write`.
 
-    >>> [writer.name for writer in writers(3)], [writer.name for writer in writers(option="reserve")]
-    (['JSON', 'G-code', 'DXF'], ['SVG', 'G-code'])
+    >>> [writer.name for writer in writers(3)], [writer.name for writer in writers(option="units")]
+    (['JSON', 'G-code', 'DXF'], ['G-code', 'DXF'])
     """
     chosen = (writer for writer in WRITERS if dimension in (None, *writer.dimensions))
-    return [writer for writer in chosen if option is None or writer.takes(option)]
+    return [writer for writer in chosen if option is None or option in writer.options]
 
 
 def suffixes(dimension: int | None = None, option: str | None = None) -> list[str]:
@@ -180,6 +219,13 @@ def writer_of(path: str | os.PathLike[str], dimension: int | None = None) -> Wri
     .gcode, .ngc and .dxf; plot() makes pictures of other kinds.
     """
     suffix = Path(path).suffix.lower()
+    if os.fspath(path) == STDOUT:
+        raise OsculantError(
+            f"Cannot write {STDOUT}: name the format of standard output too, such as "
+            f"{STDOUT}{WRITERS[0].suffixes[0]}."
+        )
+    if stands_for_stdout(path):
+        suffix = os.fspath(path)[len(STDOUT) :].lower()
     for writer in writers(dimension):
         if suffix in writer.suffixes:
             return writer

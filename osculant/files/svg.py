@@ -1,9 +1,9 @@
 """Splines as SVG: `Q` for parabolas, `A` for ellipses, `C` for cubics and hyperbolas, `L` for segments.
 
-What is written, read with exact arithmetic, stays within a budget of the spline's exact pieces. Its parts:
+What is written, read with exact arithmetic, stays within a budget of the spline's exact pieces; where a conic
+becomes cubics (`osculant.pieces.beziers` has the bound) it has a share of its own. The parts of the budget:
 
-* conversion: half of it, where a conic becomes cubics (`osculant.pieces.beziers` has the bound), for an `A`
-  none;
+* half of it for cubics, if nothing else is said, for an `A` none;
 * rounding of coordinates to the printed digits: a quarter. A Bézier curve moves no more than its control
   points; an elliptic arc, whose radii are given and not its centre, moves up to `amplification` times more
   than its ends;
@@ -21,20 +21,22 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import escape
 
+from osculant.files.drafts import Draft
 from osculant.files.facts import header, header_lines
+from osculant.files.svg_reading import strokes_of
 from osculant.pieces.beziers import Ellipse, cubics, ellipse, parabola_bound
 from osculant.pieces.chain import plane_arcs
 from osculant.pieces.cubics import Cubic
 from osculant.pieces.piece import largest_of
-from osculant.tolerances import checked_budget
+from osculant.tolerances import checked_budget, writing_share
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from osculant.files.facts import Facts
     from osculant.pieces.chain import Chain
     from osculant.pieces.conics import Piece, Point
@@ -45,6 +47,10 @@ LARGEST_AMPLIFICATION = 1e3  # of the rounding of end points; every factor of te
 LARGEST_HALF_ANGLE = math.acos(0.4)  # of a written arc, eccentric: 66°
 MOST_HALVINGS = 3  # of an elliptic piece: two for the angle, one more near the rounding floor
 UNIT = 2.0**-53  # the relative error of rounding
+#: of the tolerance, what is kept for rounding; with hyperbolas, what is tried for the cubics besides
+ROUNDED, CONVERTED = 1e-3, (0.25, 0.5)
+#: how many numbers a command has
+NUMBERS = {"L": 2, "Q": 4, "C": 6, "A": 7}
 SIDE = 800  # of the picture's longer side, pixels
 MARGIN = 0.04  # around the curve, relative to its larger extent
 
@@ -68,32 +74,68 @@ class Command:
     amplification: float = 1.0
 
 
-def svg(chain: Chain, facts: Facts, budget: float, *, knots: bool = True) -> str:
-    """Return a spline as the text of an SVG file.
+def needs(tolerance: float, kinds: Collection[str], **options: Any) -> tuple[float, ...]:
+    """What to keep for writing, as lengths: each is worth a trial, and the first if nothing is converted.
+
+    Args:
+        tolerance: of the spline, as a length.
+        kinds: of the arcs that the spline may have.
+        options: those of `svg`.
+
+    >>> needs(1.0, ["parabola"]), needs(1.0, ["hyperbola"])
+    ((0.001,), (0.001, 0.25, 0.5))
+    """
+    return tuple(share * tolerance for share in (ROUNDED, *(CONVERTED if "hyperbola" in kinds else ())))
+
+
+def svg(chain: Chain, facts: Facts, room: float, *, knots: bool = True) -> Draft:
+    """Return a spline as an SVG file.
 
     Args:
         chain: its pieces, in the plane.
         facts: of the spline, recorded in the description.
-        budget: how far the written curve may be from the pieces.
+        room: how far the written curve may be from the pieces.
         knots: whether to draw the knots, as a second path with id "knots".
 
     Returns:
-        The file's text.
+        The file before it is written.
 
     Raises:
-        ToleranceError: a budget below half of the 8 rounding units.
+        ToleranceError: a room below half of the 8 rounding units.
     """
-    (left, bottom), (right, top) = chain.bounding_box()
-    path, decimals = path_data(chain.pieces, budget)
+    rounding = min(room, ROUNDED * facts.length_tolerance(chain))
+    rounding = max(rounding, min(room, writing_share(0.0, math.ulp(chain.largest)) / 2))
+    groups, decimals = path_commands(chain.pieces, rounding, room - rounding / 2)
+    commands = [command for group in groups for command in group]
+    path = joined(chain.pieces[0].start, commands, decimals)
+    ends = [float(chain.ends[0])]
+    for group, (a, b) in zip(groups, pairwise(chain.ends.tolist())):
+        ends += [a + (k + 1) / len(group) * (b - a) for k in range(len(group))]
     dots = [chain.pieces[0].start, *(piece.end for piece in chain.pieces)]
-    if facts.closed and _pair(dots[0], decimals) == _pair(dots[-1], decimals):
-        path += "\nZ"
+    closed = facts.closed and _pair(dots[0], decimals) == _pair(dots[-1], decimals)
+    return Draft(
+        text=lambda error: _document(
+            chain, facts, path + "\nZ" * closed, dots if knots else [], decimals, error
+        ),
+        readings=[strokes_of(path)],
+        ends=ends,
+        moves=len(commands),
+        numbers=2 + sum(NUMBERS[command.letter] for command in commands),
+        converted=sum(arc.kind == "hyperbola" for arc in chain.arcs),
+    )
+
+
+def _document(
+    chain: Chain, facts: Facts, path: str, dots: Sequence[Coordinates], decimals: int, error: str | None
+) -> str:
+    """The file's text, with points at the knots."""
+    (left, bottom), (right, top) = chain.bounding_box()
     margin = MARGIN * max(right - left, top - bottom)
     width, height = right - left + 2 * margin, top - bottom + 2 * margin
     digits = 2 - math.floor(math.log10(margin))
     view = " ".join(number(value, digits) for value in (left - margin, -top - margin, width, height))
     pixel = max(width, height) / SIDE
-    description = "\n".join(header_lines(header(facts, budget)))
+    description = "\n".join(header_lines(header(facts, written=error)))
     stroke = 'stroke-linecap="round" stroke-linejoin="round"'
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
@@ -104,7 +146,7 @@ def svg(chain: Chain, facts: Facts, budget: float, *, knots: bool = True) -> str
         '<g transform="scale(1,-1)" fill="none">',
         f'<path id="spline" stroke="#1f4e79" stroke-width="{1.5 * pixel:.3g}" {stroke} d="{path}"/>',
     ]
-    if knots:
+    if dots:
         marks = "\n".join(f"M{_pair(dot, decimals)}h0" for dot in dots)
         lines.append(
             f'<path id="knots" stroke="#c0392b" stroke-width="{5 * pixel:.3g}" {stroke} d="{marks}"/>'
@@ -112,12 +154,13 @@ def svg(chain: Chain, facts: Facts, budget: float, *, knots: bool = True) -> str
     return "\n".join([*lines, "</g>", "</svg>", ""])
 
 
-def path_data(pieces: Sequence[PieceLike], budget: float) -> tuple[str, int]:
+def path_data(pieces: Sequence[PieceLike], budget: float, conversion: float | None = None) -> tuple[str, int]:
     r"""Return joined pieces as the data of one SVG path, and the number of decimals of its coordinates.
 
     Args:
         pieces: pieces each of which starts where the one before ends.
         budget: how far the path may be from them.
+        conversion: how far, rounding aside, where others stand for them; by default half the budget.
 
     Raises:
         ToleranceError: a budget below half of the 8 rounding units of the largest coordinate.
@@ -128,13 +171,24 @@ def path_data(pieces: Sequence[PieceLike], budget: float) -> tuple[str, int]:
     >>> path_data([Piece("ellipse", (0, 1), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), 0.0, 0.0)], 1e-3)[0]
     'M1 0\nA1 1 0 0 1 0 1\nA1 1 0 0 1 -1 0'
     """
+    groups, decimals = path_commands(pieces, budget, budget / 2 if conversion is None else conversion)
+    return joined(pieces[0].start, [command for group in groups for command in group], decimals), decimals
+
+
+def path_commands(
+    pieces: Sequence[PieceLike], budget: float, conversion: float
+) -> tuple[list[list[Command]], int]:
+    """The commands of each arc of joined pieces, and the number of decimals: `path_data` writes them."""
     checked_budget(budget, largest_of(piece.bounding_box() for piece in pieces))
-    commands = [command for arc in plane_arcs(pieces) for command in _commands(arc, budget)]
-    amplification = max(command.amplification for command in commands)
+    groups = [_commands(arc, budget, conversion) for arc in plane_arcs(pieces)]
+    amplification = max(command.amplification for group in groups for command in group)
     # Rounding to d decimals moves a point by at most 10⁻ᵈ/√2.
-    decimals = math.ceil(-math.log10(math.sqrt(2) * budget / (4 * amplification)))
-    start = f"M{_pair(pieces[0].start, decimals)}"
-    return "\n".join([start, *(_write(command, decimals) for command in commands)]), decimals
+    return groups, math.ceil(-math.log10(math.sqrt(2) * budget / (4 * amplification)))
+
+
+def joined(start: Coordinates, commands: Sequence[Command], decimals: int) -> str:
+    """Commands as the data of one path."""
+    return "\n".join([f"M{_pair(start, decimals)}", *(_write(command, decimals) for command in commands)])
 
 
 def number(value: float, decimals: int) -> str:
@@ -147,17 +201,17 @@ def number(value: float, decimals: int) -> str:
     return repr(rounded).removesuffix(".0")
 
 
-def _commands(piece: Piece | Cubic, budget: float) -> list[Command]:
-    """Return the path commands of one piece, converted to within half the budget."""
+def _commands(piece: Piece | Cubic, budget: float, conversion: float) -> list[Command]:
+    """Return the path commands of one piece, others standing for it to within the conversion."""
     if isinstance(piece, Cubic):
         return [Command("C", (*piece.controls, piece.end))]
     if piece.kind == "segment":
         return [Command("L", (piece.end,))]
-    if parabola_bound(piece) <= budget / 2:
+    if parabola_bound(piece) <= conversion:
         (x, y), (ax, ay), w = piece.start, piece.legs[0], piece.weight
         return [Command("Q", ((x + ax / w, y + ay / w), piece.end))]
     arcs = _arcs(piece, budget) if piece.weight < 1 else None
-    return arcs or [Command("C", cubic) for cubic in cubics(piece, budget / 2)]
+    return arcs or [Command("C", cubic) for cubic in cubics(piece, conversion)]
 
 
 def _arcs(piece: Piece, budget: float) -> list[Command] | None:

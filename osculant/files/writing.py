@@ -4,11 +4,25 @@ from __future__ import annotations
 
 import os
 import secrets
+import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
 from osculant.cas.errors import OsculantError
+
+#: a path of this and a suffix, "-.svg", is standard output in that format
+STDOUT = "-"
+
+
+def stands_for_stdout(path: str | os.PathLike[str]) -> bool:
+    """Whether a path names standard output, in a format.
+
+    >>> [stands_for_stdout(path) for path in ("-.svg", "a-.svg", "-", "./-.svg")]
+    [True, False, False, False]
+    """
+    before, point, _ = os.fspath(path).rpartition(".")
+    return before == STDOUT and bool(point)
 
 
 def listed(words: Sequence[str], last: str = "and") -> str:
@@ -29,6 +43,15 @@ def not_installed(what: str, package: str, extra: str) -> OsculantError:
     return OsculantError(
         f"{what} needs {package}, which is not installed; `pip install osculant[{extra}]` adds it."
     )
+
+
+def write_out(path: str | os.PathLike[str], content: str) -> None:
+    """Write to a file, whole or not at all, or to standard output."""
+    if stands_for_stdout(path):
+        sys.stdout.write(content)
+        sys.stdout.flush()
+    else:
+        write_whole(path, content)
 
 
 def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
@@ -62,3 +85,23 @@ def write_whole(path: str | os.PathLike[str], content: str | bytes) -> None:
     finally:
         with suppress(OSError):
             temporary.unlink()
+
+
+def check_place(path: str | os.PathLike[str]) -> None:
+    """Refuse a file that could not be written where it is to be; raises OsculantError, touches nothing."""
+    if stands_for_stdout(path):
+        return
+    target = Path(os.path.realpath(path))
+    folder = target.parent
+    if os.path.isdir(target):
+        reason = "it is a folder"
+    elif not os.path.exists(folder):
+        reason = f"there is no folder {folder}; make it first"
+    elif not os.path.isdir(folder):
+        reason = f"{folder} is not a folder"
+    elif not os.access(folder, os.W_OK | os.X_OK):
+        reason = f"nothing may be written in the folder {folder}"
+    else:
+        return
+    shown = f"Cannot write {os.fspath(path)}: {reason}.".encode("utf-8", "backslashreplace")
+    raise OsculantError(shown.decode("utf-8"))

@@ -66,7 +66,7 @@ class Chain:
         return found
 
     @cached_property
-    def _ends(self) -> Floats:
+    def ends(self) -> Floats:
         """The curve's parameters where arcs begin and end."""
         begun = [t for piece in self.pieces for t in piece.arc_ends[:-1]]
         return np.array([*begun, self.pieces[-1].interval[1]], dtype=np.float64)
@@ -84,7 +84,7 @@ class Chain:
             DomainError: a parameter outside.
         """
         t = np.asarray(t, dtype=np.float64)
-        ends = self._ends
+        ends = self.ends
         outside = ~((t >= ends[0]) & (t <= ends[-1]))
         if outside.any():
             raise DomainError(
