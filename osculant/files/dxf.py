@@ -9,6 +9,7 @@ are made by ezdxf, the extra `cad`.
 from __future__ import annotations
 
 import io
+import math
 from collections.abc import Collection
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, Literal
@@ -29,6 +30,7 @@ VERSION = "R2010"  # custom properties came with R2004, LWPOLYLINE with R2000
 LAYER = "spline"
 UNITS = {None: 0, "inch": 1, "mm": 4}  # $INSUNITS
 ENTITIES = ("polyline", "arcs")
+NOISE = 256  # rounding units of the largest coordinate by which an ARC or ELLIPSE may be off
 #: of the tolerance, what is kept for helices that chords stand for: they fall with the root of it
 CONVERTED = (0.9, 0.6)
 
@@ -97,7 +99,8 @@ def dxf(
     check(entities=entities, units=units)
     document = new(VERSION, units=UNITS[units])
     document.layers.add(LAYER)
-    drawing = Drawing(document.modelspace(), {"layer": LAYER}, float(chain.ends[0]))
+    noise = NOISE * math.ulp(chain.largest)
+    drawing = Drawing(document.modelspace(), {"layer": LAYER}, float(chain.ends[0]), noise)
     converted = 0
     if chain.dimension == 3:
         if any(arc.kind != "segment" for arc in chain.arcs):

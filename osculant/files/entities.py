@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 LARGEST_TURNING = 1.01 * math.pi  # of one bulge; more is cut in halves
 LEAST_WEIGHT = 0.25  # of a conic in a SPLINE; others are cut in halves
-NOISE = 64  # rounding units by which an ARC or ELLIPSE may be off
+UNIT = 2.0**-53  # the relative error of rounding
 SLIMMEST = 1e-5  # the least ratio of the axes of an ELLIPSE
 ROUND = ("segment", "arc")
 
@@ -37,6 +37,7 @@ class Drawing:
         space: of ezdxf.
         attributes: of all entities.
         at: the curve's parameter where the first stroke begins.
+        noise: by how much the digits of an ARC or an ELLIPSE may move it.
 
     Attributes:
         strokes: of all entities, in order.
@@ -44,8 +45,8 @@ class Drawing:
         numbers: that entities hold for them.
     """
 
-    def __init__(self, space: Any, attributes: dict[str, str], at: float) -> None:
-        self.space, self.attributes = space, attributes
+    def __init__(self, space: Any, attributes: dict[str, str], at: float, noise: float = 0.0) -> None:
+        self.space, self.attributes, self.noise = space, attributes, noise
         self.strokes: list[Stroke] = []
         self.ends, self.numbers = [at], 0
 
@@ -140,7 +141,7 @@ class Drawing:
         cotangent = 1 / math.tan(angle / 2)
         centre: Point = (x + (cx - cy * cotangent) / 2, y + (cy + cx * cotangent) / 2)
         # the centre, the radius and the angles are each rounded a few times
-        if radius * math.ulp(2.0) > NOISE / 8 * math.ulp(max(abs(x), abs(y), math.hypot(cx, cy))):
+        if 6 * UNIT * (math.tau * radius + max(abs(x), abs(y))) > self.noise:
             self._polyline([(arc, span)])
             return
         first, last = (math.atan2(q - centre[1], p - centre[0]) for p, q in (arc.start, arc.end))
@@ -174,7 +175,7 @@ class Drawing:
             for t in (first, last)
         ]
         off = max(math.dist(p, q) for p, q in zip(drawn, (arc.start, arc.end)))
-        if off + math.ulp(a) > NOISE * math.ulp(largest_of([arc.bounding_box()])):
+        if off + math.ulp(a) > self.noise:
             return False
         ends = (first, last) if conic.positive else (last, first)
         self.space.add_ellipse(

@@ -135,7 +135,7 @@ def gcode(
         facts: of the spline, recorded in the header.
         room: how far the written curve may be from the pieces, for the tolerance to be kept.
         decimals: of all coordinates; by default the fewest, at least 3, or 4 of inches, of which the last
-            unit is at most a tenth of the tolerance, and the room if that is less.
+            unit is at most a tenth of the tolerance, or the room if that does not suffice.
         units: "mm" writes `G21`, "inch" `G20`; by default neither: the machine's setting holds.
         feed: the feed rate in units a minute, written with the first motion after the start; by default 600
             of millimetres and 24 of inches, or of what units the machine has.
@@ -167,8 +167,10 @@ def gcode(
     )  # fmt: skip
     extent = max(high - low for low, high in zip(*chain.bounding_box()))
     if decimals is None:
-        tolerance = min(facts.length_tolerance(chain), room / ROUNDING)
-        decimals = min(usual_decimals(tolerance, units), most_decimals(chain.largest))
+        decimals = usual_decimals(facts.length_tolerance(chain), units)
+        if EXPECTED * 10.0**-decimals > room * (1 + 1e-6):  # the search left less
+            decimals = max(decimals, usual_decimals(room / ROUNDING, units))
+        decimals = min(decimals, most_decimals(chain.largest))
     controller = dialect_of(dialect)
     program = Program(
         decimals,

@@ -28,6 +28,10 @@ if TYPE_CHECKING:
 
 #: in last units: the sagitta of arcs that are lines, the chord of arcs that cannot be cut
 STRAIGHT, SHORTEST = 0.25, 1.5
+#: the part of an arc that is not cut again
+FINEST = 2.0**-8
+#: what is meant may be so far from the printed circle, in last units and in parts of the centre's coordinates
+FAR, NOISE = 2.0, 2.0**-48
 #: the mismatch allowed, in last units; how far the end of an arc may slide along it
 MISMATCH, SLIDE = Fraction(1, 2), 1.0
 #: of one motion: half turns, however rounded
@@ -135,12 +139,15 @@ class Program:
         there = self._rounded(meant[-1], tangent)
         chord = there[plane[0]] - self.here[plane[0]], there[plane[1]] - self.here[plane[1]]
         away = (meant[:, plane] / self.unit) - [self.here[k] for k in plane]
-        if math.hypot(*chord) <= SHORTEST or off_chord(away[2], chord) <= STRAIGHT:
+        height = arc.radius / self.unit * (1 - math.cos(turning / 2))
+        if min(height / STRAIGHT, math.hypot(*chord) / SHORTEST, (last - first) / FINEST) <= 1:
             self._straight(there, at)
             return
         centre = None
         if abs(turning) < self.largest_turning:
-            centre = best_centre(chord, away, turning, self.mismatch)
+            centre = best_centre(
+                chord, raised(away, chord, math.copysign(height, turning)), turning, self.mismatch
+            )
         if centre is None:
             middle = (first + last) / 2
             ahead = meant[3] - meant[1]
@@ -191,13 +198,21 @@ class Program:
         return ("-" if units < 0 else "") + whole + ("." + rest if rest else "")
 
 
-def off_chord(point: Floats, chord: tuple[int, int]) -> float:
-    """The distance of a point from the line through the origin along a chord.
+def raised(meant: Floats, chord: tuple[int, int], height: float) -> Floats:
+    """Points of an arc, moved if rounding brought the middle too near to the printed chord: half its height.
 
-    >>> off_chord(np.array([1.0, 2.0]), (3, 0))
-    2.0
+
+    Args:
+        meant: the points, shape (n, 2).
+        chord: the end of the arc from the origin.
+        height: of the middle above the chord, positive if the arc turns to the left and lies on the right.
+
+    >>> raised(np.array([[0.0, 0.0], [1.5, 1.0], [3.0, 0.0]]), (3, 0), 1.0)[1].tolist()
+    [1.5, -0.5]
     """
-    return abs(float(point[0]) * chord[1] - float(point[1]) * chord[0]) / math.hypot(*chord)
+    right = np.array([chord[1], -chord[0]]) / math.hypot(*chord) * math.copysign(1.0, height)
+    missing = abs(height) / 2 - float(meant[len(meant) // 2] @ right)
+    return meant + max(0.0, missing) * right
 
 
 def best_centre(
@@ -234,11 +249,11 @@ def best_centre(
     radii = np.stack([np.linalg.norm(tried, axis=1), np.linalg.norm(tried - end, axis=1)])
     gaps = np.linalg.norm(meant[:, None] - tried, axis=2)
     cost = np.abs(gaps[None] - radii[:, None]).max(axis=(0, 1))
+    x, y = chord
     for place in np.argsort(cost):
-        i, j = map(int, tried[place])
-        if cost[place] > 2:
+        if cost[place] > FAR + NOISE * np.abs(centre).max():
             return None
-        x, y = chord
+        i, j = map(int, tried[place])
         if small_mismatch(i * i + j * j, (x - i) ** 2 + (y - j) ** 2, mismatch):
             return i, j
     return None

@@ -7,7 +7,6 @@ from types import SimpleNamespace
 
 from hypothesis import strategies as st
 
-from osculant.files.facts import usual_budget
 from osculant.pieces.conics import Piece, classify
 from osculant.spline import Spline
 
@@ -34,11 +33,11 @@ def spline_of(pieces, *, text="x(t), y(t)", primitive="conic", tolerance=1e-6, p
     )
 
 
-def written(spline, writer, *, reserve=None, command=None, **options):
-    """What a writer makes of a spline, with the budget that `Spline.write` gives it."""
+def written(spline, writer, *, room=None, command=None, **options):
+    """What a writer makes of a spline, with the room that `Spline.write` gives it."""
     facts = spline.facts(command)
-    budget = usual_budget(spline.chain, facts) if reserve is None else reserve
-    return writer(spline.chain, facts, budget, **options)
+    draft = writer(spline.chain, facts, facts.room(spline.chain) if room is None else room, **options)
+    return draft.text(None)
 
 
 @st.composite

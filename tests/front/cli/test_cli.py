@@ -208,7 +208,9 @@ def test_known_suffixes_are_those_of_the_spline(tmp_path, capsys):
 def test_several_files_are_written(tmp_path, capsys):
     picture, data = tmp_path / "a.svg", tmp_path / "b.json"
     assert main([*CUBIC, "--write", str(picture), "--write", str(data), "--json"]) == 0
-    assert json.loads(data.read_text()) == json.loads(capsys.readouterr().out)
+    told = json.loads(capsys.readouterr().out)
+    assert [file["path"] for file in told.pop("files")] == [str(picture), str(data)]
+    assert json.loads(data.read_text()) == told
     assert "osculant approximate 't, t^3' --from 0 --to 1 --write" in picture.read_text()
 
 

@@ -162,24 +162,26 @@ def test_the_law_as_plain_data(capsys):
 
 def test_gcode_for_a_machine_of_few_decimals(capsys, tmp_path):
     target, drawing = tmp_path / "a.nc", tmp_path / "a.dxf"
-    wanted = ["--decimals", "3", "--reserve", "0.008", "--units", "mm", "--write", str(target)]
+    wanted = ["--decimals", "3", "--units", "mm", "--feed", "250", "--write", str(target)]
     biarcs = ["approximate", *SPIRAL, "--with", "biarc", "--tolerance", "1e-2"]
     assert main([*biarcs, *wanted, "--write", str(drawing)]) == 0
     text = target.read_text()
-    assert "G21" in text and "(decimals: 3;" in text and "of writing at most 0.008 more" in text
+    assert "G21" in text and "(decimals: 3," in text and " F250.0" in text
+    assert re.search(r"^\(error of this file: 0\.00\d+ \[measured\]\)$", text, re.MULTILINE)
     assert {len(d) for d in re.findall(r"[XYIJ]-?\d+\.(\d+)", text)} == {3}
     assert re.search(r"\$INSUNITS\s+70\s+4\s", drawing.read_text())
     assert main(["approximate", *SPACE, *wanted, "--tolerance", "1e-2"]) == 0
-    assert "(decimals: 3;" in target.read_text() and "G21" in target.read_text()
+    assert "(decimals: 3," in target.read_text() and "G21" in target.read_text()
 
 
 def test_writing_options_are_for_the_files_that_can_follow_them():
-    assert writing_options(["a.json", "b.svg"], reserve="1e-3", decimals=None, units=None) == {
+    assert writing_options(["a.json", "b.nc"], feed="1e3", decimals=None, units=None) == {
         "a.json": {},
-        "b.svg": {"reserve": 1e-3},
+        "b.nc": {"feed": 1e3},
     }
-    assert writing_options([], reserve=None) == {}
-    for wrong in ({"reserve": "0"}, {"reserve": "nan"}, {"reserve": "some"}, {"decimals": "18"}):
+    assert writing_options(["a.svg"], knots=False) == {"a.svg": {"knots": False}}
+    assert writing_options([], feed=None) == {}
+    for wrong in ({"feed": "nan"}, {"feed": "some"}, {"decimals": "1.5"}, {"knots": True}):
         with pytest.raises(UsageError):
             writing_options(["a.nc"], **wrong)
 
@@ -236,13 +238,32 @@ MISTAKES = {
     "certified in space": ([*SPACE, "--certify"], "distances in the plane only"),
     "decimals of nothing": ([*SPIRAL, "--decimals", "4"], r"--decimals needs .* \.nc, \.gcode or \.ngc"),
     "decimals of a picture": ([*SPIRAL, "--decimals", "4", "--write", "a.svg"], "--decimals needs a file"),
-    "reserve of data": ([*SPIRAL, "--reserve", "1", "--write", "a.json"], "--reserve needs a file"),
+    "feed of data": ([*SPIRAL, "--feed", "1", "--write", "a.json"], "--feed needs a file"),
+    "no reserve": ([*SPIRAL, "--reserve", "1", "--write", "a.nc"], "no option '--reserve'"),
     "units of a picture": ([*SPIRAL, "--units", "mm", "--write", "a.svg"], r"--units needs .* or \.dxf"),
-    "strange units": ([*SPIRAL, "--units", "cm", "--write", "a.nc"], "'cm' are unknown: choose mm or inch"),
+    "strange units": (
+        [*SPIRAL, "--with", "biarc", "--units", "cm", "--write", "a.nc"],
+        "are 'mm' or 'inch', not 'cm'",
+    ),
+    "strange dialect": (
+        [*SPIRAL, "--with", "biarc", "--dialect", "fanuc", "--write", "a.nc"],
+        "'fanuc' of G-code is unknown: choose linuxcnc, grbl or marlin",
+    ),
+    "no feed": ([*SPIRAL, "--with", "biarc", "--feed", "0", "--write", "a.nc"], "feed rate is 0"),
+    "a feed in words": ([*SPIRAL, "--feed", "fast", "--write", "a.nc"], "finite number, and 'fast'"),
+    "conics as G-code": ([*SPIRAL, "--write", "a.nc"], "G-code holds lines.*conic arcs; choose biarc"),
+    "one of two files": ([*SPIRAL, "--write", "a.svg", "--write", "a.nc"], "conic arcs; choose biarc"),
+    "output without a format": ([*SPIRAL, "--write", "-"], r"name the format .* such as -\.svg"),
+    "output twice": ([*SPIRAL, "--write", "-.svg", "--json"], r"Only one of -\.svg and --json can be"),
+    "too few decimals": (
+        [*SPIRAL, "--with", "biarc", "--tolerance", "1e-3", "--decimals", "2", "--write", "a.nc"],
+        "give 3 decimals or more",
+    ),
     "decimals in words": ([*SPIRAL, "--decimals", "few", "--write", "a.nc"], "whole number, and 'few'"),
-    "negative decimals": ([*SPIRAL, "--decimals", "-1", "--write", "a.nc"], "is -1: give a number from 0"),
-    "reserve 0": ([*SPIRAL, "--reserve", "0", "--write", "a.svg"], "positive finite number, and '0'"),
-    "best as G-code": ([*SPIRAL, "--with", "best", "--write", "a.nc"], "may become conic arcs; choose"),
+    "negative decimals": (
+        [*SPIRAL, "--with", "biarc", "--decimals", "-1", "--write", "a.nc"],
+        "is -1: give a whole number from 0",
+    ),
     "closed with a value": ([*SPIRAL, "--closed=yes"], "--closed takes no value"),
 }
 LAW_MISTAKES = {
@@ -272,17 +293,48 @@ def test_a_mistake_about_the_law_is_one_sentence(arguments, says, capsys):
     assert_one_sentence(output.err, says)
 
 
-@pytest.mark.parametrize("primitive, suffix, pieces", [("conic", ".svg", 60), ("biarc", ".nc", 2000)])
-def test_no_room_for_rounding_is_refused_with_the_way_out(primitive, suffix, pieces, capsys, tmp_path):
+@pytest.mark.parametrize("primitive, suffix, pieces", [("conic", ".svg", 60), ("biarc", ".nc", 200)])
+def test_a_tolerance_that_pieces_just_keep_has_room_for_rounding(primitive, suffix, pieces, capsys, tmp_path):
+    """The search leaves it, with a piece more if it must; a number of pieces is written as it is."""
     spiral = osculant.curve("t*cos(t), t*sin(t)", "pi/6", "2*pi")
-    error = osculant.approximate(spiral, primitive, pieces=pieces).error
+    tolerance = osculant.approximate(spiral, primitive, pieces=pieces).error * (1 + 1e-9)
     target = tmp_path / f"a{suffix}"
-    write = ["approximate", *SPIRAL, "--with", primitive, "--write", str(target)]
-    assert main([*write, "--tolerance", repr(error * (1 + 1e-9))]) == 2
-    assert_one_sentence(
-        capsys.readouterr().err, "The error leaves .* of the tolerance for rounding .* reserve"
-    )
-    assert not target.exists()
-    assert main([*write, "--tolerance", repr(error * (1 + 1e-9)), "--reserve", "1e-9"]) == 0
-    assert "of writing at most 1e-09 more" in target.read_text()
+    write = ["approximate", *SPIRAL, "--with", primitive, "--write", str(target), "--json"]
+    assert main([*write, "--tolerance", repr(tolerance)]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["pieces"] > pieces and data["error"] <= tolerance - data["reserved"]
+    (file,) = data["files"]
+    assert file["error"] <= tolerance and file["path"] == str(target)
     assert main([*write, "--pieces", str(pieces)]) == 0
+    (file,) = json.loads(capsys.readouterr().out)["files"]
+    assert file["error"] == pytest.approx(tolerance, rel=1e-3)
+
+
+def test_standard_output(capsys):
+    """A file there, and what is told elsewhere."""
+    assert main(["approximate", *SPIRAL, "--tolerance", "1e-2", "--write", "-.svg", "--no-knots"]) == 0
+    output = capsys.readouterr()
+    assert output.out.startswith("<?xml") and output.out.endswith("</svg>\n") and "knots" not in output.out
+    assert rows_of(output.err)["written"].startswith("-.svg: error 0.00")
+
+
+def test_pairs_of_arcs_are_told_as_such(capsys):
+    assert (
+        run(capsys, "approximate", *SPIRAL, "--with", "biarc", "--tolerance", "1e-2")["pieces"]
+        == "5, of 10 arcs"
+    )
+
+
+def test_the_best_for_a_file_is_counted_there(capsys, tmp_path):
+    rows = run(
+        capsys,
+        "approximate",
+        *SPIRAL,
+        "--with",
+        "best",
+        "--tolerance",
+        "1e-2",
+        "--write",
+        str(tmp_path / "a.nc"),
+    )
+    assert rows["conic"] == "not for G-code" and rows["biarc"].endswith("numbers in G-code")

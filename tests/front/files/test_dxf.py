@@ -18,9 +18,11 @@ from osculant.cas.errors import DomainError, OsculantError
 from osculant.files.dxf import dxf
 from osculant.pieces.biarcs import Biarc
 from osculant.pieces.conics import Piece
+from osculant.pieces.helices import HelixArc
 from tests.front.approximation.test_approximate import points_of
+from tests.front.files.machine import two_sided
 from tests.front.files.test_gcode import helix, space_spline
-from tests.front.samples import circle, spline_of, written
+from tests.front.samples import spline_of, written
 from tests.oracles import hausdorff
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
@@ -143,28 +145,40 @@ def test_units():
         assert audited(text).header["$INSUNITS"] == code
 
 
-@pytest.mark.parametrize("kept", [1e-3, 1e-5])
-def test_chords_of_helices(kept, tmp_path):
-    arc = helix(2, 1, 0.5, 0.3, 4.0, tilt=0.4)
-    text = written(space_spline([arc]), dxf, chord_tolerance=kept)
+@pytest.mark.parametrize("room", [1e-3, 1e-4, 3e-5])
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_chords_of_helices(room, count, tmp_path):
+    """On both sides of the helices, fewer than inscribed chords would be."""
+    arcs = [helix(2, 1, 0.5, 0.3, 4.0, tilt=0.4)]
+    while len(arcs) < count:
+        arc = arcs[-1]
+        ahead = tuple(arc.tangent(1.0).tolist())
+        axis = np.cross(ahead, np.cross(arc.axis, ahead)) + 0.1 * np.array(ahead)
+        axis = tuple((axis / np.linalg.norm(axis)).tolist())
+        rate = 1.2 * arc.rate
+        cosine = float(np.dot(axis, ahead))
+        sine = math.sqrt(1 - cosine**2)
+        arcs.append(HelixArc(arc.end, ahead, axis, rate * sine, rate * cosine, 3.0))
+    spline = space_spline(arcs)
+    text = written(spline, dxf, room=room)
     document = audited(text)
     (polyline,) = document.modelspace()
     assert polyline.get_mode() == "AcDb3dPolyline"
     points = np.array([tuple(vertex.dxf.location) for vertex in polyline.vertices])
-    n = math.ceil(4.0 * math.sqrt(0.5 / (8 * kept)))
-    assert len(points) == n + 1
-    assert np.abs(points - arc.point(np.linspace(0, 1, n + 1))).max() < 1e-14
-    middles = (points[1:] + points[:-1]) / 2
-    worst = np.linalg.norm(middles - arc.point((np.arange(n) + 0.5) / n), axis=1).max()
-    assert 0.95 * kept < worst <= kept
-    chords = dict(document.header.custom_vars.properties)["chords"]
-    assert chords == f"1 helical arcs, at most {kept!r} more"
+    inscribed = math.ceil(sum(arc.length * math.sqrt(arc.curvature / (8 * room)) for arc in arcs))
+    assert len(points) - 1 < max(3, 0.8 * inscribed)
+    f = np.linspace(0, 1, 201)[:, None]
+    fine = np.concatenate([a + f * (b - a) for a, b in pairwise(points)])
+    helices = np.concatenate([arc.point(np.linspace(0, 1, 4001)) for arc in arcs])
+    assert 0.85 * room < two_sided(fine, helices) <= room * 1.05
+    assert dict(document.header.custom_vars.properties)["chords"] == f"for {count} helical arcs"
     (line,) = by_gdal(text, tmp_path / "helix.dxf")
     assert np.allclose(shapely.get_coordinates(line, include_z=True), points, atol=1e-14)
 
 
 def test_a_spline_in_space(tmp_path):
-    spline = osc.approximate(osc.curve("t*cos(t), t*sin(t), t", "0", "2*pi"), "bihelix", "1e-2")
+    curve = osc.curve("t*cos(t), t*sin(t), t", "0", "2*pi")
+    spline = osc.approximate(curve, "bihelix", "1e-2", files=tmp_path / "space.dxf")
     (line,) = by_gdal(written(spline, dxf), tmp_path / "space.dxf")
     points = shapely.get_coordinates(line, include_z=True)
     assert np.allclose(points[[0, -1]], [spline.pieces[0].start, spline.pieces[-1].end])
@@ -173,11 +187,50 @@ def test_a_spline_in_space(tmp_path):
     assert gaps.min(axis=1).max() < 1e-2
 
 
-def test_refusals(monkeypatch):
-    parabola = spline_of([Piece("parabola", (0, 1), (0.0, 0.0), (2.0, 0.0), (1.0, 1.0), 1.0, 0.0)])
+@pytest.mark.parametrize(
+    ("weight", "kind"),
+    [
+        (-0.9, "ellipse"),
+        (-0.5, "ellipse"),
+        (0.0, "ellipse"),
+        (0.7, "ellipse"),
+        (1.5, "hyperbola"),
+        (20.0, "hyperbola"),
+        (1.0, "parabola"),
+    ],
+)
+def test_conics_are_exact(weight, kind, tmp_path):
+    piece = Piece(kind, (0, 1), (2.0, 1.0), (3.0, -1.0), (3.0 * weight + 0.5, 0.5 + weight), weight, 0.0)
     for entities in ("polyline", "arcs"):
-        with pytest.raises(DomainError, match="is of kind 'parabola': approximate with biarcs"):
-            written(parabola, dxf, entities=entities)
+        text = written(spline_of([piece]), dxf, entities=entities)
+        (entity,) = audited(text).modelspace()
+        expected = "ELLIPSE" if kind == "ellipse" and entities == "arcs" else "SPLINE"
+        assert entity.dxftype() == expected
+        if expected == "SPLINE":
+            tool = entity.construction_tool()
+            points = np.array([tuple(p)[:2] for p in tool.points(np.linspace(0, tool.max_t, 201))])
+        else:
+            points = np.array([tuple(p)[:2] for p in entity.flattening(1e-5)])
+        for x, y in points:  # on the conic, by its equation in the control triangle's homogeneous coordinates
+            assert abs(implicit(piece, x, y)) < 1e-11
+        ends = {tuple(np.round(points[i], 12)) for i in (0, -1)}
+        assert ends == {piece.start, piece.end}
+        (line,) = by_gdal(text, tmp_path / f"{entities}.dxf")
+        dense = shapely.LineString(piece.sample(20_001))
+        assert shapely.distance(shapely.points(line.coords), dense).max() < 1e-3 * dense.length
+        assert shapely.distance(shapely.points(piece.sample(33)), line).max() < 2e-2 * dense.length
+
+
+def implicit(piece, x, y):
+    """The quadratic form of a conic at a point."""
+    (a, b), (c, d), w = piece.legs[0], piece.legs[2], piece.weight
+    # X = (b₀P₀ + b₁M + b₂P₂)/(b₀ + wb₁ + b₂): X − P₀ = (b₁A + b₂C)/(…), 4b₀b₂ = b₁²
+    u, v = np.linalg.solve(np.array([[a, c], [b, d]]), [x - piece.start[0], y - piece.start[1]])
+    rest = 1 - w * u - v  # b₀ of the sum 1, u = b₁, v = b₂
+    return 4 * rest * v - u * u
+
+
+def test_refusals(monkeypatch):
     half = spline_of([Piece.arc((0, 3), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0))])
     with pytest.raises(DomainError, match="'polyline' or 'arcs', not 'splines'"):
         written(half, dxf, entities="splines")
@@ -186,8 +239,3 @@ def test_refusals(monkeypatch):
     monkeypatch.setitem(sys.modules, "ezdxf.filemanagement", None)
     with pytest.raises(OsculantError, match=r"`pip install osculant\[cad\]` adds it"):
         written(half, dxf)
-
-
-def test_a_circle_of_another_kind_is_refused():
-    with pytest.raises(DomainError, match="is of kind 'ellipse': approximate with biarcs"):
-        written(spline_of([circle(0, 1)]), dxf)

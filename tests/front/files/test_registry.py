@@ -15,11 +15,11 @@ import ezdxf
 import pytest
 
 import osculant as osc
+from osculant.approximation.for_files import check_arcs, wanted_files
 from osculant.cas.errors import OsculantError
-from osculant.cli.options import check_files
 from osculant.files.registry import WRITERS, register, writer_of, writers
 from osculant.pieces.kinds import KINDS
-from osculant.primitives.table import may_become, usual_first
+from osculant.primitives.table import PRIMITIVES, may_become
 from tests.front.samples import written
 
 FOLDER = Path(osc.__file__).parent
@@ -39,16 +39,20 @@ def each(test):
     return pytest.mark.parametrize("writer", WRITERS, ids=[writer.name for writer in WRITERS])(test)
 
 
+def function_of(writer):
+    module, _, name = writer.function.partition(":")
+    return getattr(import_module(module), name)
+
+
 @each
 def test_a_writer_has_all_its_parts(writer):
-    module, _, name = writer.function.partition(":")
-    function = getattr(import_module(module), name)
-    assert function.__doc__ and import_module(module).__doc__
+    function = function_of(writer)
+    assert function.__doc__ and import_module(function.__module__).__doc__
     parameters = inspect.signature(function).parameters.values()
     keywords = [p.name for p in parameters if p.kind is p.KEYWORD_ONLY]
     assert keywords == list(writer.options)
     assert all(p.default is not p.empty for p in parameters if p.name in keywords)
-    assert [p.name for p in parameters if p.kind is not p.KEYWORD_ONLY] == ["chain", "facts", "budget"]
+    assert [p.name for p in parameters if p.kind is not p.KEYWORD_ONLY] == ["chain", "facts", "room"]
     assert all(re.search(rf"^ +{option}: ", function.__doc__, re.MULTILINE) for option in writer.options)
     assert set(writer.exact) | set(writer.replaced) <= set(KINDS)
     assert not set(writer.exact) & set(writer.replaced)
@@ -61,10 +65,10 @@ def test_a_writer_has_all_its_parts(writer):
 def test_what_it_writes_is_read_back(writer, tmp_path):
     for dimension in writer.dimensions:
         formula, primitive = CURVES[dimension]
-        spline = osc.approximate(osc.curve(formula, 0, 2), primitive, 1e-2)
-        for suffix in writer.suffixes:
-            path = tmp_path / f"curve{suffix.upper()}"
-            spline.write(path)
+        files = [tmp_path / f"curve{suffix.upper()}" for suffix in writer.suffixes]
+        spline = osc.approximate(osc.curve(formula, 0, 2), primitive, 1e-2, files=files)
+        for path in files:
+            assert spline.write(path).error <= 1e-2
             assert f"{primitive}, {len(spline)} pieces" in READERS[writer.name](path.read_text("utf-8"))
 
 
@@ -76,10 +80,10 @@ def test_kinds_that_it_cannot_hold_are_refused(writer):
         spline = osc.approximate(osc.curve(formula, "1/2", 2), primitive, 1e-2)
         kinds = {arc.kind for arc in spline.chain.arcs}
         if writer.holds(kinds):
-            assert READERS[writer.name](written(spline, writer.text))
+            assert READERS[writer.name](written(spline, function_of(writer)))
         else:
             with pytest.raises(OsculantError, match="approximate with biarcs"):
-                written(spline, writer.text)
+                written(spline, function_of(writer))
 
 
 @pytest.mark.parametrize(
@@ -96,27 +100,19 @@ def test_pieces_are_of_the_kinds_that_their_primitive_tells(primitive, formulas)
     assert {arc.kind for spline in splines for arc in spline.chain.arcs} <= set(may_become(primitive)[0].arcs)
 
 
-def test_the_command_line_refuses_before_the_work_what_no_format_can_hold(tmp_path):
-    for primitive in (*usual_first(2), *usual_first(3), "best", None):
-        for writer in WRITERS:
-            file = str(tmp_path / f"a{writer.suffixes[0]}")
-            if all(writer.holds(entry.arcs) for entry in may_become(primitive)):
-                check_files([file], None, primitive)
-            else:
-                with pytest.raises(OsculantError, match=r"it would hold lines.* choose --with .*biarc"):
-                    check_files([file], None, primitive)
-    check_files([str(tmp_path / "a.svg")], None, "best")
-    for file, primitive, says in (
-        (
-            "a.dxf",
-            "best",
-            "would hold lines and circular arcs only, and the pieces may become conic arcs;",
-        ),
-        ("a.nc", "conic", "only, and the pieces are to be conic arcs; choose --with biarc."),
-        ("a.svg", "bihelix", "ellipses and hyperbolas only, and the pieces are to be bihelix arcs;"),
-    ):
-        with pytest.raises(OsculantError, match=re.escape(says)):
-            check_files([str(tmp_path / file)], None, primitive)
+def test_what_no_format_can_hold_is_refused(tmp_path):
+    for dimension in (2, 3):
+        for primitive in PRIMITIVES[dimension].values():
+            for writer in writers(dimension):
+                files = wanted_files(tmp_path / f"a{writer.suffixes[0]}", dimension)
+                if writer.holds(primitive.arcs):
+                    check_arcs(files, primitive)
+                else:
+                    says = rf"{writer.name} holds lines.* to be {primitive.name} arcs; choose .*biarc"
+                    with pytest.raises(OsculantError, match=says):
+                        check_arcs(files, primitive)
+    with pytest.raises(OsculantError, match=r"a spline in space is written as \.json"):
+        wanted_files(tmp_path / "a.svg", 3)
 
 
 def test_every_writer_is_read_and_two_of_one_suffix_are_refused():
