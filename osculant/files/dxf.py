@@ -31,8 +31,9 @@ LAYER = "spline"
 UNITS = {None: 0, "inch": 1, "mm": 4}  # $INSUNITS
 ENTITIES = ("polyline", "arcs")
 NOISE = 256  # rounding units of the largest coordinate by which an ARC or ELLIPSE may be off
-#: of the tolerance, what is kept for helices that chords stand for: they fall with the root of it
-CONVERTED = (0.9, 0.6)
+#: of the tolerance, what is kept for helices that chords stand for: of these there are many more than pieces,
+#: and their number falls with the root of it
+CONVERTED = 0.9
 
 
 def needs(tolerance: float, kinds: Collection[str], **options: Any) -> tuple[float, ...]:
@@ -44,10 +45,10 @@ def needs(tolerance: float, kinds: Collection[str], **options: Any) -> tuple[flo
         options: those of `dxf`.
 
     >>> needs(1.0, ["ellipse"]), needs(1.0, ["helix"])
-    ((0.0,), (0.0, 0.9, 0.6))
+    ((0.0,), (0.0, 0.9))
     """
     check(**options)
-    return (0.0, *(share * tolerance for share in (CONVERTED if "helix" in kinds else ())))
+    return (0.0, CONVERTED * tolerance) if "helix" in kinds else (0.0,)
 
 
 def check(*, entities: str = "polyline", units: str | None = None) -> None:

@@ -4,8 +4,9 @@ Coordinates are absolute, I, J and K relative to the start of the arc, all with 
 `osculant.files.motions` says how they are rounded. Arcs that are too large for the digits of their centre, or
 too small for a machine, are written as chords. A helix whose axis is tilted from the coordinate axis by so
 little that no point moves by more than a tenth of the last unit is written as if it were not; for others
-chords stand (`osculant.files.round_arcs`). A helix whose Darboux vector (`osculant.pieces.helices`) points
-along + of the axis is a `G3` there. Source: thesis, Lemma 4.2.1 with its erratum.
+stand chords, or arcs whose height grows evenly (`osculant.files.space_moves`), whichever are fewer. A helix
+whose Darboux vector (`osculant.pieces.helices`) points along + of the axis is a `G3` there. Source: thesis,
+Lemma 4.2.1 with its erratum.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from osculant.files.round_arcs import (
     helix_turn,
     sliding,
 )
+from osculant.files.space_moves import MOST_MOVES, Move, Run
 
 if TYPE_CHECKING:
     from osculant.files.facts import Facts
@@ -43,8 +45,9 @@ LEAST_DECIMALS = {"mm": 3, "inch": 4, None: 3}
 MOST_DECIMALS = 17
 #: of the tolerance, what the usual decimals cost at most
 ROUNDING = 0.1
-#: of the tolerance, what is kept for helices that others stand for: chords fall with the root of it
-CONVERTED = (0.9, 0.6)
+#: of the tolerance, what is kept for helices that others stand for: of these there are many more than pieces,
+#: and their number falls with the root of it
+CONVERTED = 0.9
 #: of a last unit, what is kept at first for rounding, and how far a tilted helix may be moved
 EXPECTED, TILT = 0.25, 0.1
 STRAIGHT = 1e5  # the radius of arcs written as chords, relative to the larger extent of the spline
@@ -63,7 +66,7 @@ def needs(tolerance: float, kinds: Collection[str], **options: Any) -> tuple[flo
         DomainError: options that make no sense.
 
     >>> needs(1e-2, ["arc"]), needs(1.0, ["helix"])
-    ((0.00025,), (0.00025, 0.9, 0.6))
+    ((0.00025,), (0.00025, 0.9))
     """
     check(**options)
     decimals = options.get("decimals")
@@ -73,8 +76,8 @@ def needs(tolerance: float, kinds: Collection[str], **options: Any) -> tuple[flo
             f"Rounding to {decimals} decimals moves points by {unit / 2:.3g} and more, and the tolerance is "
             f"{tolerance:.3g}: give {max(0, math.ceil(-math.log10(tolerance)))} decimals or more."
         )
-    shares = (*CONVERTED,) if "helix" in kinds else ()
-    return (min(EXPECTED * unit, tolerance / 2), *(share * tolerance for share in shares))
+    rounding = min(EXPECTED * unit, tolerance / 2)
+    return (rounding, CONVERTED * tolerance) if "helix" in kinds else (rounding,)
 
 
 def usual_decimals(tolerance: float, units: str | None) -> int:
@@ -250,12 +253,33 @@ def _space(program: Program, chain: Chain, radii: tuple[float, float], room: flo
             converted, run = converted + 1, run + 1
             after = arcs[i + 1] if i + 1 < len(arcs) else None
             if tangent is None or after is None or not _tilted(after, program):
-                chosen = slice(i + 1 - run, i + 1)
-                vertices, at = balanced_chords(arcs[chosen], ends[i + 1 - run : i + 2], _room(room, program))
-                for vertex, t in zip(vertices, at):
-                    program.line(vertex, t)
+                first = i + 1 - run
+                _along(program, arcs[first : i + 1], ends[first : i + 2], radii, _room(room, program))
                 run = 0
     return converted
+
+
+def _along(
+    program: Program,
+    arcs: Sequence[HelixArc],
+    ends: Sequence[float],
+    radii: tuple[float, float],
+    room: float,
+) -> None:
+    """Move along consecutive tilted helices: by chords, or by arcs too if these are fewer moves."""
+    vertices, at = balanced_chords(arcs, ends, room)
+    moves = None
+    if len(vertices) <= MOST_MOVES:
+        moves = Run(arcs, ends, room, radii, program.largest_turning).moves()
+    if moves is None or len(moves) >= len(vertices):
+        moves = [Move(vertex, t, None) for vertex, t in zip(vertices, at)]
+    begun = ends[0]
+    for move in moves:
+        if move.arc is None:
+            program.line(move.end, move.at)
+        else:
+            program.turn(move.arc, (begun, move.at))
+        begun = move.at
 
 
 def _tilted(arc: HelixArc, program: Program) -> bool:

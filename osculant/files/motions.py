@@ -201,7 +201,6 @@ class Program:
 def raised(meant: Floats, chord: tuple[int, int], height: float) -> Floats:
     """Points of an arc, moved if rounding brought the middle too near to the printed chord: half its height.
 
-
     Args:
         meant: the points, shape (n, 2).
         chord: the end of the arc from the origin.

@@ -22,14 +22,14 @@ if TYPE_CHECKING:
     from osculant.pieces.chain import Chain
     from osculant.pieces.conics import Piece
     from osculant.pieces.piece import Arc as PieceArc
-    from osculant.pieces.piece import Coordinates, Floats
+    from osculant.pieces.piece import Coordinates
 
 #: arcs whose tangents differ by more meet at a corner
 CORNER = 0.05
 #: of the outward distance, as the middles of chords on a helix are a little farther in
 SAFE = 0.98
 #: of the tolerance: chords need that much at least
-LEAST_ROOM = 0.02
+LEAST_ROOM = 0.1
 
 
 def circular_arcs(chain: Chain, what: str) -> list[Piece]:
@@ -119,17 +119,10 @@ def balanced_chords(
     for place in places[:-1].tolist():
         i = min(max(int(np.searchsorted(reached, place)) - 1, 0), len(arcs) - 1)
         u = (place - reached[i]) / (reached[i + 1] - reached[i])
-        out = SAFE * allowed * inward(arcs[i], u)
+        out = SAFE * allowed * arcs[i].normal(u)
         points.append(tuple((arcs[i].point(u) - out).tolist()))
         at.append(float(ends[i] + u * (ends[i + 1] - ends[i])))
     return [*points, tuple(arcs[-1].end)], [*at, float(ends[-1])]
-
-
-def inward(arc: HelixArc, u: float) -> Floats:
-    """The principal normal of a helical arc at the fraction u of its length."""
-    tangent, axis = arc.tangent(u), np.array(arc.axis)
-    normal: Floats = np.cross(axis, tangent)
-    return normal / np.linalg.norm(normal)
 
 
 def circle_turn(arc: Piece) -> Arc:

@@ -139,6 +139,13 @@ class HelixArc:
         tangents: Floats = along + np.cos(angle) * across + np.sin(angle) * inward
         return tangents
 
+    def normal(self, u: ArrayLike) -> Floats:
+        """The principal normal there, likewise, towards the axis; of a segment 0."""
+        angle = self.turning * np.asarray(u, dtype=np.float64)[..., None]
+        _, across, inward = self._vectors
+        bend: Floats = np.cos(angle) * inward - np.sin(angle) * across
+        return bend / (math.sqrt(float(across @ across)) or 1.0)
+
     @property
     def end(self) -> Vector:
         """The last point."""
