@@ -275,6 +275,7 @@ class Spline:
             error=self.error,
             error_kind=self.error_kind,
             closed=self.closed,
+            given=self.given,
             data=self.to_json,
             command=command,
         )

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 #: points on each piece for the length of a spline
 POINTS = 65
+#: of the error of a given number of pieces, what writing may add
+SHARE = 0.25
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,6 +32,7 @@ class Facts:
         error: the spline's.
         error_kind: "estimate", "exact" or "certified".
         closed: whether the spline returns to where it began.
+        given: what was asked for, "tolerance" or "pieces".
         data: called for all that is known about the spline, as plain data (`Spline.to_json`).
         command: the command line that made it, or None.
         version: of osculant.
@@ -44,6 +47,7 @@ class Facts:
     error_kind: str
     closed: bool
     data: Callable[[], dict[str, Any]]
+    given: str = "tolerance"
     command: str | None = None
     version: str = __version__
 
@@ -53,6 +57,8 @@ class Facts:
 
     def room(self, chain: Chain) -> float:
         """How far what is written may be from the pieces if the tolerance is to be kept.
+
+        If a number of pieces was given there is none to keep: a part of their error.
 
         >>> from osculant.pieces.chain import Chain
         >>> from osculant.pieces.conics import Piece
@@ -64,7 +70,10 @@ class Facts:
         >>> round(facts.room(chord), 12)
         0.01
         """
-        return max(0.0, self.tolerance - self.error) / width_of(self.metric, chain)
+        left = max(0.0, self.tolerance - self.error)
+        if self.given == "pieces":
+            left = max(left, SHARE * self.error)
+        return left / width_of(self.metric, chain)
 
 
 def width_of(metric: str, chain: Chain) -> float:
