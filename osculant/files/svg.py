@@ -48,7 +48,7 @@ LARGEST_HALF_ANGLE = math.acos(0.4)  # of a written arc, eccentric: 66°
 MOST_HALVINGS = 3  # of an elliptic piece: two for the angle, one more near the rounding floor
 UNIT = 2.0**-53  # the relative error of rounding
 #: of the tolerance, what is kept for rounding; with hyperbolas, what is tried for the cubics besides
-ROUNDED, CONVERTED = 1e-3, (0.25, 0.5)
+ROUNDED, CONVERTED = 1e-3, (0.05, 0.3)
 #: how many numbers a command has
 NUMBERS = {"L": 2, "Q": 4, "C": 6, "A": 7}
 SIDE = 800  # of the picture's longer side, pixels
@@ -83,7 +83,7 @@ def needs(tolerance: float, kinds: Collection[str], **options: Any) -> tuple[flo
         options: those of `svg`.
 
     >>> needs(1.0, ["parabola"]), needs(1.0, ["hyperbola"])
-    ((0.001,), (0.001, 0.25, 0.5))
+    ((0.001,), (0.001, 0.05, 0.3))
     """
     return tuple(share * tolerance for share in (ROUNDED, *(CONVERTED if "hyperbola" in kinds else ())))
 
