@@ -109,10 +109,14 @@ def with_first_file(
         check_arcs(files, entry)
     asked, count = requested(tolerance, wanted["pieces"])
     if entry is None or not files or count is not None:
+        for file in files:  # of options alone, as there is no tolerance
+            file.writer.check(() if entry is None else entry.arcs, 1.0, file.options)
         spline = approximate_curve(curve, primitive, tolerance, **wanted)
         return spline, _drafts(spline, files[:1])[0] if files else None
-    curve.check_finite()
-    width = 1.0 if wanted["metric"] != "area" else _length(curve)
+    width = 1.0
+    if wanted["metric"] == "area":
+        curve.check_finite()
+        width = _length(curve)
     sums = [file.writer.check(entry.arcs, asked / width, file.options) for file in files]
     tried = [width * max(own[min(k, len(own) - 1)] for own in sums) for k in range(max(map(len, sums)))]
     best: tuple[Spline, list[Drafted]] | None = None

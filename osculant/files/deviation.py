@@ -7,6 +7,7 @@ the nearest makes a distance larger, never smaller, so that a path is not called
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -44,8 +45,12 @@ def distance(path: Path, follow: Follow, ends: Sequence[float]) -> float:
         path: the strokes.
         follow: the curve's points at parameters.
         ends: the parameters where strokes begin and end, one more than there are strokes.
+
+    Infinite if the curve has no points at some of its parameters.
     """
     drawn, curve = _sides(path, follow, ends)
+    if not np.isfinite(curve.points).all():
+        return math.inf
     return max(_directed(drawn, curve), _directed(curve, drawn))
 
 
@@ -89,11 +94,10 @@ def _directed(one: _Side, other: _Side) -> float:
     for _ in range(LOOKS):
         around = middle[:, None] + np.linspace(-1, 1, samples) * width[:, None]
         around = np.clip(around, one.parameters[chosen, :1], one.parameters[chosen, -1:])
-        # between two strokes the path jumps from one to the other: stay inside
         points = one.at(around.ravel())
         gaps, _ = _feet(points, chosen.repeat(samples), other)
         gaps = gaps.reshape(len(chosen), samples)
-        best = max(best, float(gaps.max()))
+        best = max(best, float(np.nanmax(gaps)))
         middle = around[np.arange(len(chosen)), gaps.argmax(axis=1)]
         width = width * 2 / (samples - 1)
     return best

@@ -165,7 +165,7 @@ WRITERS = register(
             "smallest_radius",
             "largest_radius",
         ),
-        needs="osculant.files.gcode:needs",
+        needs="osculant.files.decimals:needs",
     ),
     Writer(
         name="DXF",
