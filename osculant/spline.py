@@ -57,11 +57,11 @@ class Spline:
         pieces: the pieces in order; each starts where the one before ends.
         minimal: whether no spline of this primitive with a knot at every split has fewer pieces within the
             tolerance less ``reserved`` (for a given number of pieces: a smaller error): "proved", "by theory"
-            (no check of its hypotheses beyond the isolation of special points) or "unknown". In the metric "area" among those of n pieces with
-            areas of at most tolerance/n each. Of bihelices "proved" only where every stretch between split
-            points is one piece: their error is not monotone in the length of the arc. So it is of cubics,
-            whose error was seen to grow with the arc where the residual of six contacts keeps its sign, and
-            to fall elsewhere. Of polygons among inscribed ones.
+            (no check of its hypotheses beyond the isolation of special points) or "unknown". In the metric
+            "area" among those of n pieces with areas of at most tolerance/n each. Of bihelices "proved" only
+            where every stretch between split points is one piece: their error is not monotone in the length
+            of the arc. So it is of cubics, whose error was seen to grow with the arc where the residual of
+            six contacts keeps its sign, and to fall elsewhere. Of polygons among inscribed ones.
         undecided: parameters of knots where it could not be decided whether theory demands a split.
         splits: parameters inside the interval where theory, or the user, demanded a knot.
         closed: whether it returns to where it began.

@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 ROUNDS, MOST = 5, 0.95
 #: what is kept anew is so many times what was missing; sums that differ by this part are not told apart
 ENOUGH, NEAR = 1.1, 0.2
+#: of longer files it is not sought how little is enough
+LONG = 300
 #: samples for the length of a curve
 SAMPLES = 1025
 
@@ -145,32 +147,29 @@ def _within(
     kept: float,
     wanted: Mapping[str, Any],
 ) -> tuple[Spline, list[Drafted]]:
-    """A spline that leaves room for files if so much is kept, or more."""
+    """A spline that leaves room for files if so much is kept, or more: not much more than is enough."""
     best: tuple[Spline, list[Drafted]] | None = None
-    too_little = 0.0
+    too_little, enough = 0.0, MOST * tolerance
     for _ in range(ROUNDS):
         spline = approximate_curve(curve, primitive, tolerance, **wanted, reserved=kept)
         made = _drafts(spline, files)
         worst = max(range(len(files)), key=lambda i: made[i].error)
-        missing = made[worst].error - tolerance
         if made[worst].keeps(tolerance):
             best, enough = (spline, made), kept
-            if not too_little < (1 - NEAR) * enough:
+            if too_little == 0.0 or made[0].draft.moves > LONG:
                 break
-        elif best is None and kept + missing > MOST * tolerance:
-            break
         else:
             too_little = kept
-        kept = kept + ENOUGH * missing if best is None else (too_little + enough) / 2
-        kept = min(kept, MOST * tolerance)
-        if best is not None and too_little == 0.0:
+        if too_little >= (1 - NEAR) * enough:
             break
-    if best is not None:
-        return best
-    raise ToleranceError(
-        f"{files[worst].path} would have the error {made[worst].error:.3g}, more than the tolerance "
-        f"{tolerance:.3g}: allow more decimals, or a larger tolerance."
-    )
+        missing = made[worst].error - tolerance
+        kept = (too_little + enough) / 2 if best else min(kept + ENOUGH * missing, enough)
+    if best is None:
+        raise ToleranceError(
+            f"{files[worst].path} would have the error {made[worst].error:.3g}, more than the tolerance "
+            f"{tolerance:.3g}: allow more decimals, or a larger tolerance."
+        )
+    return best
 
 
 def _drafts(spline: Spline, files: Sequence[Wanted]) -> list[Drafted]:

@@ -1,4 +1,4 @@
-"""Splines as DXF: circular arcs and lines as a LWPOLYLINE with bulges, conics as a SPLINE, helices as chords.
+"""Splines as DXF: circular arcs and lines as a LWPOLYLINE, conics and cubics as a SPLINE, helices as chords.
 
 `osculant.files.entities` makes them; DXF holds doubles, so that all arcs of the plane are exact to the
 rounding of their numbers. DXF has no helical arc that programs agree on: a POLYLINE of chords stands for it
@@ -20,7 +20,7 @@ from osculant.files.entities import Drawing
 from osculant.files.facts import header
 from osculant.files.round_arcs import balanced_chords, check_room, helical_arcs, sliding
 from osculant.files.writing import not_installed
-from osculant.pieces.chain import conic_arcs
+from osculant.pieces.chain import plane_arcs
 
 if TYPE_CHECKING:
     from osculant.files.facts import Facts
@@ -74,7 +74,7 @@ def dxf(
         facts: of the spline, recorded as custom properties.
         room: how far chords of helices may be from the pieces; all else is exact.
         entities: "polyline" for one LWPOLYLINE with bulges, closed if it ends where it starts, and one
-            rational SPLINE for consecutive conics; "arcs" for an ARC, LINE, ELLIPSE or SPLINE for every arc.
+            SPLINE for consecutive conics, a rational one, or cubics; "arcs" for an ARC, LINE, ELLIPSE or SPLINE for every arc.
             A spline in space is one POLYLINE in any case.
         units: recorded in the drawing; by default it has none.
 
@@ -109,7 +109,7 @@ def dxf(
         points, at, converted = _chords(chain, room)
         drawing.polygon(points, at)
     else:
-        drawing.plane(conic_arcs(chain.pieces), chain.ends.tolist(), each=entities == "arcs")
+        drawing.plane(plane_arcs(chain.pieces), chain.ends.tolist(), each=entities == "arcs")
 
     def text(error: str | None) -> str:
         chords = f"for {converted} helical arcs" if converted else None

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from osculant.files.strokes import Bezier, Stroke, bulged, elliptic
 from osculant.pieces.beziers import ellipse
+from osculant.pieces.cubics import Cubic
 from osculant.pieces.piece import largest_of
 from osculant.tolerances import writing_share
 
@@ -57,7 +58,7 @@ class Drawing:
         self.ends += at
         self.numbers += 3 * len(points)
 
-    def plane(self, arcs: Sequence[Piece], ends: Sequence[float], *, each: bool) -> None:
+    def plane(self, arcs: Sequence[Piece | Cubic], ends: Sequence[float], *, each: bool) -> None:
         """Add arcs of conics and lines as few entities, or each as one.
 
         Args:
@@ -68,15 +69,19 @@ class Drawing:
         spans = list(zip(arcs, pairwise(ends)))
         if each:
             for arc, span in spans:
-                if arc.kind in ROUND:
+                if isinstance(arc, Cubic):
+                    self._cubics([(arc, span)])
+                elif arc.kind in ROUND:
                     self._arc(arc, span)
                 elif arc.kind != "ellipse" or not self._ellipse(arc, span):
                     self._spline([(arc, span)])
             return
-        for round_ones, group in groupby(spans, key=lambda pair: pair[0].kind in ROUND):
+        for kind, group in groupby(spans, key=lambda pair: _family(pair[0])):
             chosen = list(group)
-            if round_ones:
+            if kind == "round":
                 self._polyline(chosen, may_close=len(chosen) == len(arcs))
+            elif kind == "cubic":
+                self._cubics(chosen)
             else:
                 self._spline(chosen)
 
@@ -126,6 +131,16 @@ class Drawing:
         knots = [0.0, *(float(k) for k in range(count + 1) for _ in range(2)), float(count)]
         self.space.add_rational_spline(points, weights, 2, knots, dxfattribs=self.attributes)
         self.numbers += 3 * len(points)
+
+    def _cubics(self, arcs: Sequence[tuple[Cubic, tuple[float, float]]]) -> None:
+        """Add cubics as one SPLINE."""
+        points: list[Point] = [arcs[0][0].start]
+        for arc, span in arcs:
+            self._add([Bezier((arc.start, *arc.controls, arc.end))], span)
+            points += [*arc.controls, arc.end]
+        knots = [0.0, *(float(k) for k in range(len(arcs) + 1) for _ in range(3)), float(len(arcs))]
+        self.space.add_open_spline(points, 3, knots, dxfattribs=self.attributes)
+        self.numbers += 2 * len(points)
 
     def _arc(self, arc: Piece, span: tuple[float, float]) -> None:
         """Add an arc as ARC, a segment as LINE; as a LWPOLYLINE an arc whose digits are unstable."""
@@ -184,6 +199,13 @@ class Drawing:
         self.numbers += 7
         self._add(strokes, span)
         return True
+
+
+def _family(arc: Piece | Cubic) -> str:
+    """What entity a run of arcs of that kind is: "cubic", "round" or "conic"."""
+    if isinstance(arc, Cubic):
+        return "cubic"
+    return "round" if arc.kind in ROUND else "conic"
 
 
 def vertices_of(arc: Piece) -> list[tuple[float, float, float]]:

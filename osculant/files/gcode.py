@@ -33,7 +33,7 @@ from osculant.files.round_arcs import (
     sliding,
 )
 from osculant.files.space_moves import MOST_MOVES, Move, Run
-from osculant.files.strokes import Bezier, Stroke
+from osculant.files.strokes import Bezier, Stroke, Turn
 
 if TYPE_CHECKING:
     from osculant.files.facts import Facts
@@ -140,7 +140,7 @@ def gcode(
         strokes, ends = [[Bezier((here, here))]], [ends[0], float(chain.ends[-1])]
     return Draft(
         text=text,
-        readings=strokes,
+        readings=strokes if any(isinstance(stroke, Turn) for stroke in strokes[0]) else strokes[:1],
         ends=ends,
         moves=len(program.ends) - 1,
         numbers=numbers,

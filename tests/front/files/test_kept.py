@@ -121,11 +121,12 @@ def test_pictures(name, most, tmp_path):
     path = svgelements.Path(ET.fromstring(text).find(f".//{SVG}path[@id='spline']").get("d"))
     path = [part for part in path if not isinstance(part, svgelements.Move | svgelements.Close)]
     assert len(path) == file.moves and file.numbers <= most
-    f = np.linspace(0, 1, 101)
+    f = np.linspace(0, 1, 501)
     points = np.concatenate([[(p.x, p.y) for p in map(part.point, f)] for part in path])
     assert two_sided(points, curve) <= (1e-3 if name == "sine" else 1e-4)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     st.floats(0.3, 3),
