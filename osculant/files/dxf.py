@@ -74,8 +74,8 @@ def dxf(
         facts: of the spline, recorded as custom properties.
         room: how far chords of helices may be from the pieces; all else is exact.
         entities: "polyline" for one LWPOLYLINE with bulges, closed if it ends where it starts, and one
-            SPLINE for consecutive conics, a rational one, or cubics; "arcs" for an ARC, LINE, ELLIPSE or SPLINE for every arc.
-            A spline in space is one POLYLINE in any case.
+            SPLINE for consecutive conics, a rational one, or cubics; "arcs" for an ARC, LINE, ELLIPSE or
+            SPLINE for every arc. A spline in space is one POLYLINE in any case.
         units: recorded in the drawing; by default it has none.
 
     Returns:

@@ -78,12 +78,13 @@ class Drawing:
             return
         for kind, group in groupby(spans, key=lambda pair: _family(pair[0])):
             chosen = list(group)
+            conics = [(arc, span) for arc, span in chosen if not isinstance(arc, Cubic)]
             if kind == "round":
-                self._polyline(chosen, may_close=len(chosen) == len(arcs))
-            elif kind == "cubic":
-                self._cubics(chosen)
+                self._polyline(conics, may_close=len(conics) == len(arcs))
+            elif kind == "conic":
+                self._spline(conics)
             else:
-                self._spline(chosen)
+                self._cubics([(arc, span) for arc, span in chosen if isinstance(arc, Cubic)])
 
     def _add(self, strokes: Sequence[Stroke], span: tuple[float, float]) -> None:
         """Note strokes that share a span of the curve's parameter."""

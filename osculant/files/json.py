@@ -43,8 +43,8 @@ def data_of(spline: Any) -> dict[str, Any]:
     number), "arcs" (the number of arcs that they are made of), "knots", "error", "error_kind", "errors",
     "predicted", "predicted_pieces", "predicted_error" (null where unknown or not finite), "minimal",
     "undecided", "splits" and "cusps" (parameters), "segments" (the pieces, as `Piece.to_json`,
-    `Biarc.to_json`, `Cubic.to_json` or `SpacePiece.to_json` says), "certificate" (`Certificate.to_json`; null:
-    none was asked for).
+    `Biarc.to_json`, `Cubic.to_json` or `SpacePiece.to_json` says), "certificate" (`Certificate.to_json`;
+    null: none was asked for).
     """
     predicted = spline.predicted
     finite = predicted is not None and math.isfinite(predicted)

@@ -28,6 +28,7 @@ CURVES = {
     "trochoid": ("0.5*t/(2*pi)+2*cos(t), 2*sin(t)", "0", "6*pi"),
     "spiral": ("t*cos(t), t*sin(t)", "pi/6", "2*pi"),
     "ellipse": ("1000*cos(t), 800*sin(t)", "0", "2*pi"),
+    "heart": ("16*sin(t)^3, 13*cos(t)-5*cos(2*t)-2*cos(3*t)-cos(4*t)", "0", "2*pi"),
     "sine": ("t, sin(t)", "0", "2*pi"),
     "lemniscate": ("sqrt(2)*cos(t)/(1+sin(t)^2), sqrt(2)*sin(t)*cos(t)/(1+sin(t)^2)", "0", "2*pi"),
 }
@@ -102,7 +103,8 @@ def points_of(entity):
 
 @pytest.mark.parametrize("entities", ["polyline", "arcs"])
 @pytest.mark.parametrize(
-    ("name", "primitive"), [("sine", "conic"), ("lemniscate", "conic"), ("spiral", "biarc")]
+    ("name", "primitive"),
+    [("sine", "conic"), ("lemniscate", "conic"), ("spiral", "biarc"), ("sine", "cubic")],
 )
 def test_drawings(name, primitive, entities, tmp_path):
     file, text, curve = to_file(name, primitive, 1e-3, tmp_path / "a.dxf", entities=entities)
@@ -114,16 +116,24 @@ def test_drawings(name, primitive, entities, tmp_path):
     assert file.error <= 1e-3
 
 
-@pytest.mark.parametrize(("name", "most"), [("sine", 60), ("lemniscate", 200)])
-def test_pictures(name, most, tmp_path):
+@pytest.mark.parametrize(
+    ("name", "primitive", "tolerance", "most"),
+    [
+        ("sine", "conic", 1e-3, 60),
+        ("lemniscate", "conic", 1e-4, 200),
+        ("sine", "cubic", 1e-3, 26),
+        ("heart", "parabola", 0.05, 66),
+    ],
+)
+def test_pictures(name, primitive, tolerance, most, tmp_path):
     svgelements = pytest.importorskip("svgelements")
-    file, text, curve = to_file(name, "conic", 1e-3 if name == "sine" else 1e-4, tmp_path / "a.svg")
+    file, text, curve = to_file(name, primitive, tolerance, tmp_path / "a.svg")
     path = svgelements.Path(ET.fromstring(text).find(f".//{SVG}path[@id='spline']").get("d"))
     path = [part for part in path if not isinstance(part, svgelements.Move | svgelements.Close)]
     assert len(path) == file.moves and file.numbers <= most
     f = np.linspace(0, 1, 501)
     points = np.concatenate([[(p.x, p.y) for p in map(part.point, f)] for part in path])
-    assert two_sided(points, curve) <= (1e-3 if name == "sine" else 1e-4)
+    assert two_sided(points, curve) <= tolerance * (1 + FINE)
 
 
 @pytest.mark.slow
