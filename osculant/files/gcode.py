@@ -41,6 +41,8 @@ if TYPE_CHECKING:
     from osculant.pieces.chain import Chain
     from osculant.pieces.helices import HelixArc
 
+#: of the largest angle, so that rounding does not reach it
+BELOW = 0.999
 #: of a last unit, how far a tilted helix may be moved
 TILT = 0.1
 STRAIGHT = 1e5  # the radius of arcs written as chords, relative to the larger extent of the spline
@@ -107,7 +109,7 @@ def gcode(
         decimals,
         chain.pieces[0].start,
         float(chain.ends[0]),
-        largest_turning=min(LARGEST_TURNING, math.radians(largest_angle or 360.0)),
+        largest_turning=min(LARGEST_TURNING, BELOW * math.radians(largest_angle or 360.0)),
         mismatch=mismatch_in_units(controller, units, decimals),
     )
     radii = smallest_radius, STRAIGHT * extent if largest_radius is None else largest_radius
