@@ -131,7 +131,7 @@ def test_pictures(name, primitive, tolerance, most, tmp_path):
     path = svgelements.Path(ET.fromstring(text).find(f".//{SVG}path[@id='spline']").get("d"))
     path = [part for part in path if not isinstance(part, svgelements.Move | svgelements.Close)]
     assert len(path) == file.moves and file.numbers <= most
-    f = np.linspace(0, 1, 501)
+    f = np.linspace(0, 1, 8000 // len(path))
     points = np.concatenate([[(p.x, p.y) for p in map(part.point, f)] for part in path])
     assert two_sided(points, curve) <= tolerance * (1 + FINE)
 
