@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import doctest
 import io
 import json
 import math
 import os
 import re
-import shlex
 import subprocess
 import sys
 from dataclasses import replace
@@ -328,30 +326,6 @@ def test_help_and_version(capsys):
     assert "--split-at" in capsys.readouterr().out
     assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"osculant {osculant.__version__}\n"
-
-
-README = (DATA.parents[1] / "README.md").read_text(encoding="utf-8")
-
-
-@pytest.mark.parametrize("block", re.findall(r"```\n\$ osculant (.*?)```", README, re.DOTALL))
-def test_the_readme_shows_real_output(block, tmp_path, capsys, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("COLUMNS", "116")
-    Path("out").mkdir()
-    command, shown = block.split("\n", maxsplit=1)
-    assert main(shlex.split(command)) == 0
-
-    def fixed(text: str) -> str:  # all but the time, and digits that may depend on the machine
-        text = re.sub(r" +[\d.]+ s\b", " … s", text)
-        return re.sub(r"^(time +).*$|(?<=9\.9\d9)\d+", r"\1", text, flags=re.MULTILINE)
-
-    assert fixed(capsys.readouterr().out) == fixed(shown)
-
-
-def test_the_readme_calls_python_as_it_is():
-    (session,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
-    test = doctest.DocTestParser().get_doctest(session, {}, "README.md", None, 0)
-    assert test.examples and doctest.DocTestRunner().run(test).failed == 0
 
 
 def test_control_c_is_status_130(monkeypatch, capsys):
