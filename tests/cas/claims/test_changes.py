@@ -57,6 +57,8 @@ EQUIVALENT = {
     "section 1.3.3-5": {"thousandth"},
     # other bases of the conics' monomials
     "(3.2)": {"integer", "sign", "twice", "thousandth"},
+    # other intervals on which it is true
+    "section B.1-11": {"integer", "thousandth"},
     # longer intervals, and ends within what the counts decide
     "section 3.7.1-3": {"integer", "twice", "thousandth"},
     "section 3.7.2-6": {"thousandth"},
