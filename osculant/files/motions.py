@@ -140,7 +140,9 @@ class Program:
         chord = there[plane[0]] - self.here[plane[0]], there[plane[1]] - self.here[plane[1]]
         away = (meant[:, plane] / self.unit) - [self.here[k] for k in plane]
         height = arc.radius / self.unit * (1 - math.cos(turning / 2))
-        if min(height / STRAIGHT, math.hypot(*chord) / SHORTEST, (last - first) / FINEST) <= 1:
+        # a short chord tells nothing of an arc that turns by more than half a turn
+        length = math.hypot(*chord) if abs(turning) <= LARGEST_TURNING else math.inf
+        if min(height / STRAIGHT, length / SHORTEST, (last - first) / FINEST) <= 1:
             self._straight(there, at)
             return
         centre = None
