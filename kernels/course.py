@@ -69,10 +69,13 @@ def lay_out(
             fine_turned = step * (rate + 4.0 * rate1 + 2.0 * rate2 + 4.0 * rate3 + end_rate) / 12.0
             fine = step * (speed + 4.0 * speed1 + 2.0 * speed2 + 4.0 * speed3 + end_speed) / 12.0
             agreed = (
-                fine_turned <= TURN
-                and abs(turned - fine_turned) <= AGREED * TURN
-                and abs(length - fine) <= AGREED * fine
-            )
+                (
+                    fine_turned <= TURN
+                    and abs(turned - fine_turned) <= AGREED * TURN
+                    and abs(length - fine) <= AGREED * fine
+                )
+                or fine <= curve.place.noise
+            )  # how a panel turns that doubles cannot tell from a point is no matter
             wide = step > NARROWEST * (b - a) and middle > time and middle < end
             if not agreed and open_ends <= DEPTH and wide:
                 new = pending[open_ends]

@@ -63,6 +63,8 @@ class Spline:
             of the arc. So it is of cubics, whose error was seen to grow with the arc where the residual of
             six contacts keeps its sign, and to fall elsewhere. Of polygons among inscribed ones.
         undecided: parameters of knots where it could not be decided whether theory demands a split.
+        bridged: arcs that lie below the tolerance and are passed over, each as (first parameter, last one,
+            extent); at an end of the curve the spline has not its tangent there.
         splits: parameters inside the interval where theory, or the user, demanded a knot.
         closed: whether it returns to where it began.
         split: "theory", or "never" if no knot was demanded where theory wants one to prove that the number
@@ -99,6 +101,7 @@ class Spline:
     pieces: tuple[PieceLike, ...]
     minimal: Literal["proved", "by theory", "unknown"]
     undecided: tuple[float, ...] = ()
+    bridged: tuple[tuple[float, float, float], ...] = ()
     splits: tuple[float, ...] = ()
     closed: bool = False
     split: str = "theory"
@@ -160,6 +163,11 @@ class Spline:
         return self.chain.max_tangent_jump()
 
     @property
+    def corner(self) -> float | None:
+        """The angle in radians between its tangents at the seam, 0 if it is smooth there; None if open."""
+        return self.chain.corner() if self.closed else None
+
+    @property
     def cusps(self) -> list[float]:
         """The knots where the direction of the tangent is reversed."""
         return self.chain.cusps
@@ -181,14 +189,18 @@ class Spline:
 
     @property
     def _proved(self) -> float | None:
-        """The certified upper bound of the error, None if there is none."""
-        if self.certificate is None or not math.isfinite(self.certificate.upper):
+        """The certified upper bound of the error, None if there is none, or none within the tolerance."""
+        if self.certificate is None or not self.certificate.within:
             return None
         return self.certificate.upper
 
     @property
     def error(self) -> float:
-        """The largest error of a piece, in the metric "area" the sum; certified, the proved upper bound."""
+        """The largest error of a piece, in the metric "area" the sum; certified, the proved upper bound.
+
+        An upper bound above the tolerance proves nothing that was asked for: the estimate stays, and the
+        `certificate` has the enclosure.
+        """
         if self._proved is not None:
             return self._proved
         return math.fsum(self.errors) if self.metric == "area" else max(self.errors)
@@ -207,7 +219,8 @@ class Spline:
         """Enclose the error of every piece in ball arithmetic, as `osculant.certificates.splines` says.
 
         The first call sets `certificate`, the one thing about a spline that changes: from then on `error` is
-        the proved upper bound, with the `error_kind` "certified", if there is one, and `to_json` has it.
+        the proved upper bound, with the `error_kind` "certified", if that is within the tolerance, and
+        `to_json` has it.
 
         Args:
             progress: called with the part of the pieces done, 0…1.

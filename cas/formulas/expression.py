@@ -17,6 +17,7 @@ from typing import Any
 from weakref import WeakValueDictionary
 
 from osculant.cas.errors import DomainError, FormulaError
+from osculant.cas.formulas.domains import half_turns, is_everywhere_defined
 from osculant.cas.formulas.rationals import bounded, exact_power, exact_root, shown
 
 _CIRCULAR = {"sin", "cos", "tan", "asin", "acos", "atan"}
@@ -237,7 +238,7 @@ def power(base: Node, exponent: Node) -> Node:
         return call("exp", exponent if base is E else mul(exponent, call("log", base)))
     q: Fraction = exponent.value
     if q == 0:
-        return ONE
+        return ONE if is_everywhere_defined(base) else _one_where_defined(base)
     if q == 1:
         return base
     if base is E:
@@ -251,6 +252,12 @@ def power(base: Node, exponent: Node) -> Node:
         if inner.denominator == q.denominator == 1 or root.kind == "number":
             return power(root, number(inner * q))
     return _node("pow", (base,), q)
+
+
+def _one_where_defined(node: Node) -> Node:
+    """1 with the domain of an expression."""
+    positive = add(mul(node, node), ONE)
+    return div(positive, positive)
 
 
 def call(name: str, argument: Node) -> Node:
@@ -269,6 +276,13 @@ def call(name: str, argument: Node) -> Node:
         raise FormulaError(f"{name!r} is no function here; there are {', '.join(sorted(FUNCTIONS))}.")
     if name == "sqrt":
         return power(argument, number(Fraction(1, 2)))
+    turns = half_turns(argument) if name in ("sin", "cos", "tan") else None
+    if turns is not None and (2 * turns).denominator == 1:
+        whole = turns.denominator == 1
+        if name == "tan" and not whole:
+            raise DomainError(f"tan has a pole at {turns}*pi: take another argument.")
+        if whole == (name != "cos"):  # sin and tan at whole multiples of pi, cos between
+            return ZERO
     if argument.kind == "number":
         q: Fraction = argument.value
         if name in _DOMAINS and not _DOMAINS[name][0](q):

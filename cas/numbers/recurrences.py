@@ -225,14 +225,25 @@ class _Writer:
         return [combine(one, x) for one, x in zip(self.padded(self.one, len(a)), square, strict=True)]
 
 
-def _tangent(w: _Writer, a: list[int], name: str, sign: int) -> list[int]:
-    # tan′ = (1 + tan²)a′, tanh′ = (1 − tanh²)a′
+def _tan(w: _Writer, a: list[int]) -> list[int]:
+    # tan′ = (1 + tan²)a′
     def density(k: int, y: list[int]) -> int:
-        square = w.dot(y[: k + 1], y[: k + 1])
-        one = w.one if k == 0 else w.zero
-        return w.add(one, square) if sign > 0 else w.sub(one, square)
+        return w.add(w.one if k == 0 else w.zero, w.dot(y[: k + 1], y[: k + 1]))
 
-    return w.integral(w.call(name, a[0]), a, density)
+    return w.integral(w.call("tan", a[0]), a, density)
+
+
+def _tanh(w: _Writer, a: list[int]) -> list[int]:
+    # tanh′ = g a′ and g′ = −2 tanh g a′ with g = 1/cosh²; 1 − tanh² would cancel where tanh is nearly ±1
+    slopes, below = w.slopes(a), w.div(w.one, w.call("cosh", a[0]))
+    y, g = [w.call("tanh", a[0])], [w.mul(below, below)]
+    products: list[int] = []
+    for k in range(1, len(a)):
+        products.append(w.dot(y, g))
+        next_y = w.scale(w.dot(slopes[:k], g), Fraction(1, k))
+        g.append(w.scale(w.dot(slopes[:k], products), Fraction(-2, k)))
+        y.append(next_y)
+    return y
 
 
 def _inverse_root(w: _Writer, a: list[int], square: list[int]) -> list[int]:
@@ -263,8 +274,8 @@ _RULES: Mapping[Any, Callable[[_Writer, list[int]], list[int]]] = {
     "cos": lambda w, a: w.paired(a, ("sin", "cos"), -1)[1],
     "sinh": lambda w, a: w.paired(a, ("sinh", "cosh"), 1)[0],
     "cosh": lambda w, a: w.paired(a, ("sinh", "cosh"), 1)[1],
-    "tan": lambda w, a: _tangent(w, a, "tan", 1),
-    "tanh": lambda w, a: _tangent(w, a, "tanh", -1),
+    "tan": _tan,
+    "tanh": _tanh,
     "atan": lambda w, a: w.inverse_function("atan", a, _reciprocal(w, w.one_plus(a, 1))),
     "atanh": lambda w, a: w.inverse_function("atanh", a, _reciprocal(w, w.one_plus(a, -1))),
     "asin": lambda w, a: w.inverse_function("asin", a, _inverse_root(w, a, w.one_plus(a, -1))),

@@ -23,7 +23,7 @@ CUT = 0.48713
 #: intervals looked at before all open ones are given back as unresolved
 WORK_LIMIT = 6_000
 #: the smallest width, in parts of the whole interval, as a power of two
-SMALLEST = 36
+SMALLEST = 60
 
 #: from this width on, in the same measure, multiple zeros are looked for
 SMALL = 5

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
+from osculant.approximation.bridging import allowed_extent, flat_enough, width
 from osculant.approximation.closing import closing
-from osculant.approximation.division import divide
+from osculant.approximation.division import chord_of, divide, is_exact
 from osculant.approximation.prediction import prediction, quick_complexity
 from osculant.approximation.request import requested
 from osculant.approximation.runs import whole_error
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
 
 #: of smaller curves, and of those larger than its inverse, no areas are computed
 SMALLEST = 1e-130
+#: places where a search may be stuck
+MOST_STUCK = 30
 
 
 def approximate_curve(
@@ -57,16 +60,31 @@ def approximate_curve(
         check_floor(allowed, rounding, size.largest)
     # a search for the best beginning takes errors that are monotone
     closed_how = closing(curve, closed, seam=not fit.primitive.monotone)
-    division = divide(curve, primitive, split_at, closed_how, split)
-    fitting = Fitting(curve, fit, division, size, allowed if count is None else None)
+    # what the curve is exactly is better than its chord
+    off = math.inf if is_exact(curve, primitive) else width(curve)
+
+    def fitted(stuck: Sequence[float]) -> Fitted:
+        """The pieces, with arcs at the places where the search was stuck passed over."""
+        level = allowed if count is None else FLOOR_ULPS * rounding
+        passed_over = allowed_extent(level, fit.degree)
+        flat = passed_over if stuck and fit.degree == 1 else flat_enough(level, fit.degree, size.size)
+        if closed_how == "open" and not split_at and count is None and off <= flat:
+            division = chord_of(curve, off)
+        else:
+            division = divide(curve, primitive, split_at, closed_how, split, passed_over, stuck)
+        fitting = Fitting(curve, fit, division, size, allowed if count is None else None)
+        if count is not None:
+            return fitting.for_number(count)
+        return (
+            fitting.for_area(allowed, progress)
+            if metric == "area"
+            else fitting.for_tolerance(allowed, progress)
+        )
+
+    found = _unstuck(fitted)
     if count is not None:
-        found = fitting.for_number(count)
         error = whole_error(found.runs, fit.degree)
         asked = allowed = error + writing_share(error, rounding)
-    elif metric == "area":
-        found = fitting.for_area(allowed, progress)
-    else:
-        found = fitting.for_tolerance(allowed, progress)
 
     def needed(part: Part, run: Run) -> int:
         """How many pieces a stretch takes in any case."""
@@ -89,6 +107,7 @@ def approximate_curve(
         pieces=tuple(found.pieces()),
         minimal=_minimal(found, fit, rounding, count is None),
         undecided=found.division.undecided,
+        bridged=found.division.bridged,
         splits=found.division.splits,
         closed=closed_how != "open",
         split=split,
@@ -96,6 +115,20 @@ def approximate_curve(
         gap=found.gap,
         predict=predict,
     )
+
+
+def _unstuck(fitted: Callable[[Sequence[float]], Fitted]) -> Fitted:
+    """What is found once small arcs are passed over wherever the search is stuck, often but not forever."""
+    from osculant.approximation.runs import StuckError
+
+    places: list[float] = []
+    while True:
+        try:
+            return fitted(places)
+        except StuckError as error:
+            if error.at in places or len(places) == MOST_STUCK:
+                raise
+            places.append(error.at)
 
 
 def check_areas(curve: FormulaCurve, size: Extent, fit: Fit) -> None:
@@ -112,7 +145,9 @@ def _minimal(
 ) -> Literal["proved", "by theory", "unknown"]:
     """Whether the number of pieces, or, if that was given, their error, is the least."""
     division, error = found.division, whole_error(found.runs, 1)
-    if division.undecided or not division.proved:
+    if by_tolerance and found.count == 1:
+        return "proved"
+    if division.undecided or division.bridged or not division.proved:
         return "unknown"
     if by_tolerance and found.count == len(division.stretches):
         return "proved"  # every stretch takes at least one piece

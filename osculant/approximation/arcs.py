@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from osculant.approximation.runs import Floats, Progress, Run, equal_parts, equal_shares, not_found, too_many
+from osculant.approximation.runs import (
+    Floats,
+    Progress,
+    Run,
+    equal_parts,
+    equal_shares,
+    not_found,
+    too_many,
+)
 from osculant.kernels import operations, search
 from osculant.kernels.counting import count_larger
 from osculant.kernels.course import MOST, lay_out
@@ -29,6 +37,8 @@ MOST_PIECES = 5_000_000
 COURSE = 1024
 #: panels per piece, and of all, that tell the content of a stretch
 CONTENT_POINTS, LEAST_POINTS = 8, 1024
+#: the area between what lies within a distance of one point and a small piece, in squares of that
+PASSED = 4.0
 #: an error, in the kernels' units, that no piece has
 BOUNDLESS = 1e100
 
@@ -63,6 +73,9 @@ class Arcs:
         self.order, self.ends = fit.law(stretch.kind).order, (stretch.a, stretch.b)
         self.unit = coordinates.scale**fit.degree
         self.noise = coordinates.error_noise(fit.degree)
+        #: where the curve is passed over at an end, areas have so much more, distances are at least so much
+        self.spare = PASSED * stretch.reach**2 if fit.degree == 2 else 0.0
+        self.reach = stretch.reach if fit.degree == 1 else 0.0
         self.record = fit.record(self.order)
         self.columns = operations.columns(type(self.record))
 
@@ -96,6 +109,7 @@ class Arcs:
 
     def job(self, low: float, high: float) -> Job:
         """The kernel's arguments for the stretch from its beginning, for errors in the user's units."""
+        low, high = max(low - self.spare, 0.0), max(high - self.spare, 0.0)
         return self._job._replace(low=low * self.unit, high=high * self.unit)
 
     @cached_property
@@ -175,7 +189,7 @@ class Arcs:
         reasons = table[:, operations.REASON]
         return Run(
             np.append(table[:, operations.A], table[-1, operations.B]),
-            table[:, operations.ERROR] / self.unit,
+            np.maximum(table[:, operations.ERROR] / self.unit + self.spare, self.reach),
             table,
             bool((reasons == search.ENDS_AT_LIMIT).any()),
             bool((reasons == search.ENDS_EARLY).any()),
@@ -184,4 +198,11 @@ class Arcs:
     def pieces(self, run: Run) -> list[Any]:
         """The pieces themselves, in the user's coordinates."""
         make = self.fit.primitive.piece
-        return [make(row, self.place, float(error)) for row, error in zip(run.rows, run.errors, strict=True)]
+        pieces = [
+            make(row, self.place, float(error)) for row, error in zip(run.rows, run.errors, strict=True)
+        ]
+        if self.stretch.covers is not None:
+            first, last = self.stretch.covers
+            pieces[0] = replace(pieces[0], interval=(first, pieces[0].interval[1]))
+            pieces[-1] = replace(pieces[-1], interval=(pieces[-1].interval[0], last))
+        return pieces

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Literal
 
+from osculant.approximation.bridging import Blemish, blemishes, meeting
 from osculant.approximation.request import check_split
 from osculant.approximation.split_points import as_float, cut, cut_around
 from osculant.cas.errors import DomainError, UndecidedError
@@ -25,7 +27,7 @@ INSIDE = 0.4871
 
 #: a coordinate each
 Vector = tuple[float, ...]
-Kind = Literal["generic", "level", "segment", "exact"]
+Kind = Literal["generic", "level", "segment", "exact", "bridge"]
 
 
 @dataclass(frozen=True)
@@ -46,9 +48,11 @@ class Stretch:
         start, end: the frames there.
         kind: "segment" or "exact" if the curve is a segment or an arc of the primitive itself there, "level"
             if it is not, but the leading term of the primitive's error vanishes (a bihelix's, on a curve of
-            constant curvature).
+            constant curvature), "bridge" if it lies below the tolerance and is not followed.
         bend: the sign of the curvature; 1 in space, where it has none.
         passed: the points inside, balls, where theory wants a split and none is to be made.
+        reach: so far from its pieces may be what they stand for besides, or a bridge from its arc.
+        covers: what its pieces stand for if that is more than [a, b]: small arcs next to it are passed over.
     """
 
     low: Any
@@ -60,6 +64,8 @@ class Stretch:
     kind: Kind
     bend: float
     passed: tuple[Any, ...] = ()
+    reach: float = 0.0
+    covers: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -68,7 +74,7 @@ class Division:
 
     ``proved`` is False if the curve seems to be a segment or an arc of the primitive, to hundreds of
     digits, but no symbolic proof was found.  ``free`` says that the one stretch of a closed curve may begin
-    anywhere.
+    anywhere.  ``bridged`` are the arcs that are passed over: (first end, last end, extent).
     """
 
     stretches: tuple[Stretch, ...]
@@ -76,6 +82,7 @@ class Division:
     undecided: tuple[float, ...]
     proved: bool
     free: bool = False
+    bridged: tuple[tuple[float, float, float], ...] = ()
 
     @property
     def unsplit(self) -> tuple[float, ...]:
@@ -92,6 +99,8 @@ def divide(
     split_at: Sequence[Any] = (),
     closing: Closing = "open",
     split: str = "theory",
+    extent: float = 0.0,
+    stuck: Sequence[float] = (),
 ) -> Division:
     """Divide the curve for a spline of the primitive.
 
@@ -104,6 +113,9 @@ def divide(
             period later, where the formula has to go on; without split points the one stretch is the whole
             interval, and free.  "corner" and "open" keep the ends.
         split: "never" leaves out `Primitive.theory`, and tells the points as ``passed``.
+        extent: arcs between split points that are smaller, or so near to an end, are passed over
+            (`osculant.approximation.bridging`); 0 if none is.
+        stuck: parameters around which arcs of that size are passed over in any case.
 
     Raises:
         DomainError: a split point outside the interval (the seam of a closed curve is inside), an unknown
@@ -127,6 +139,11 @@ def divide(
     wanted = PRIMITIVES[curve.dimension][primitive]
     kind, proved = _kind(curve, wanted)
     every = curve.special_points(_forms(wanted, kind))
+    if kind in (
+        "segment",
+        "exact",
+    ):  # there nothing but the formula is singular where the curve goes straight on
+        every = [point for point in every if not _goes_on(curve, point)]
     left_out = set(wanted.theory) if split == "never" else set[str]()
     found = [point for point in every if not point.kinds <= left_out]
     passed = [point.at for point in every if point.kinds <= left_out]
@@ -140,20 +157,69 @@ def divide(
             splits, cuts = cut(curve, found, split_at, low, high)
             knots = [(point.at, point) for point in cuts]
         free = closing == "smooth" and not splits
-        stretches = [_stretch(curve, *start, *end, kind, passed, free) for start, end in pairwise(knots)]
+        passed_over: list[Blemish] = []
+        if extent > 0 and kind in ("generic", "level") and wanted.bridge is not None and not free:
+            passed_over = blemishes(curve, knots, extent, stuck, closing == "smooth")
+        joints = _joints(curve, knots, passed_over)
+        stretches = [
+            part
+            for before, after in pairwise(joints)
+            for part in _between(curve, before, after, kind, passed, free)
+        ]
+    inside = [(as_float(b.low), as_float(b.high)) for b in passed_over]
+
+    def followed(at: float) -> bool:
+        return not any(first <= at <= last for first, last in inside)
+
     return Division(
         tuple(stretches),
-        tuple(at for at in (as_float(point.at) for point in splits) if at != as_float(low)),
-        tuple(as_float(p.at) for p in (splits if closing == "smooth" else found) if not p.decided),
+        tuple(at for at in (as_float(p.at) for p in splits) if at != as_float(low) and followed(at)),
+        tuple(
+            at
+            for at in (as_float(p.at) for p in (splits if closing == "smooth" else found) if not p.decided)
+            if followed(at)
+        ),
         proved,
         free,
+        tuple((*ends, b.reach) for ends, b in zip(inside, passed_over)),
     )
+
+
+def is_exact(curve: FormulaCurve, primitive: str) -> bool:
+    """Whether the curve seems to be a segment or of arcs of the primitive itself.
+
+    >>> from osculant.curves.plane import PlaneCurve
+    >>> [is_exact(PlaneCurve("t, t^2", 0, 1), primitive) for primitive in ("parabola", "biarc")]
+    [True, False]
+    """
+    return _kind(curve, PRIMITIVES[curve.dimension][primitive])[0] in ("segment", "exact")
+
+
+def chord_of(curve: FormulaCurve, off: float) -> Division:
+    """The division of a curve that is nowhere farther than ``off`` from its chord, which stands for it.
+
+    >>> from osculant.curves.plane import PlaneCurve
+    >>> chord_of(PlaneCurve("t, t^2/1000", 0, 1), 1e-3).stretches[0].kind
+    'bridge'
+    """
+    from osculant.cas.numbers.balls import PRECISION, constant, precision
+
+    with precision(PRECISION):
+        low, high = (constant(end) for end in curve.ends)
+        start, end = (
+            tuple(as_float(row[0]) for row in curve.balls.coefficients(at, 0)) for at in (low, high)
+        )
+    length = math.dist(start, end)
+    along = tuple((q - p) / length for p, q in zip(start, end))
+    a, b = as_float(low), as_float(high)
+    whole = Stretch(low, high, a, b, Frame(start, along), Frame(end, along), "bridge", 1.0, (), off)
+    return Division((whole,), (), (), True, bridged=((a, b, off),))
 
 
 def _forms(primitive: Primitive, kind: Kind) -> list[str]:
     """The forms whose zeros split a curve of that kind: those that do not vanish identically on it."""
     forms = ["cusp"]
-    forms += primitive.splits if kind != "segment" else ()
+    forms += primitive.splits if kind in ("generic", "level") else ()
     forms += primitive.theory if kind == "generic" else ()
     return forms
 
@@ -162,14 +228,23 @@ def _kind(curve: FormulaCurve, primitive: Primitive) -> tuple[Kind, bool]:
     """What the curve is as a whole, and whether that is certain."""
     if curve.vanishes("cusp"):
         raise DomainError(f"The curve {curve.text} is a single point: give a formula that moves.")
-    if curve.vanishes("inflection"):
+    if curve.vanishes("inflection") and curve.exact.straight is not False:
         return "segment", curve.exact.straight is True
     itself = primitive.itself
     if itself is None or not curve.vanishes(itself.forms[0]):
         return "generic", True
     if not all(map(curve.vanishes, itself.forms[1:])):
         return "level", True
-    return "exact", itself.proof(curve.exact) is True
+    proof = itself.proof(curve.exact)
+    return ("generic", True) if proof is False else ("exact", proof is True)
+
+
+def _goes_on(curve: FormulaCurve, point: SpecialPoint) -> bool:
+    """Whether the tangents on both sides of a point, surely singular, are the same."""
+    if not point.decided:
+        return False
+    before, after = (_frame(curve, point, side).tangent for side in (-1, 1))
+    return sum(x * y for x, y in zip(before, after)) > 0
 
 
 def _around(splits: list[SpecialPoint], low: Any, high: Any) -> list[tuple[Any, SpecialPoint]]:
@@ -199,27 +274,84 @@ def begun_at(curve: FormulaCurve, division: Division, at: float) -> Stretch:
     with precision(PRECISION):
         start, period = SpecialPoint(arb(at), frozenset()), whole.high - whole.low
         passed = [*whole.passed, *(point + period for point in whole.passed)]
-        return _stretch(curve, start.at, start, start.at + period, start, whole.kind, passed)
+        joint = _Joint(start.at, _frame(curve, start, -1), start.at, _frame(curve, start, 1), at)
+        [stretch] = _between(curve, joint, replace(joint, low=start.at + period), whole.kind, passed, False)
+        return stretch
 
 
-def _stretch(
-    curve: FormulaCurve,
-    low: Any,
-    start: SpecialPoint,
-    high: Any,
-    end: SpecialPoint,
-    kind: Kind,
-    passed: Sequence[Any],
-    free: bool = False,
-) -> Stretch:
-    """The stretch from low to high, where the curve is at the points ``start`` and ``end``.
+@dataclass(frozen=True)
+class _Joint:
+    """Where stretches meet: where the one before ends, where the one after begins, and what lies between.
 
-    Of a free one the beginning, which is no knot, may be passed too.
+    ``at`` is the knot of their pieces, None if there is a bridge, as small as ``reach``, between them.
     """
+
+    low: Any
+    end: Frame
+    high: Any
+    start: Frame
+    at: float | None
+    reach: float = 0.0
+
+
+def _joints(
+    curve: FormulaCurve, knots: Sequence[tuple[Any, SpecialPoint]], passed_over: Sequence[Blemish]
+) -> list[_Joint]:
+    """The joints at the knots, in order, and instead of knots in arcs that are passed over, those there."""
+    joints = [_passing(curve, blemish) for blemish in passed_over]
+    for at, point in knots:
+        if not any(as_float(b.low) <= as_float(at) <= as_float(b.high) for b in passed_over):
+            joints.append(_Joint(at, _frame(curve, point, -1), at, _frame(curve, point, 1), as_float(at)))
+    return sorted(joints, key=lambda joint: as_float(joint.low))
+
+
+def _passing(curve: FormulaCurve, blemish: Blemish) -> _Joint:
+    """The joint where an arc is passed over."""
+    low, high, reach = blemish.low, blemish.high, blemish.reach
+    ends = [tuple(as_float(row[0]) for row in curve.balls.coefficients(at, 0)) for at in (low, high)]
+    if blemish.at_start:
+        frame = Frame(ends[0], _regular(curve, high))
+        return _Joint(low, frame, high, frame, as_float(low), reach)
+    if blemish.at_end:
+        frame = Frame(ends[1], _regular(curve, low))
+        return _Joint(low, frame, high, frame, as_float(high), reach)
+    tangents = _regular(curve, low), _regular(curve, high)
+    turn = meeting(*tangents)
+    if turn is None:
+        return _Joint(low, Frame(ends[0], tangents[0]), high, Frame(ends[1], tangents[1]), None, reach)
+    sign, tangent = turn
+    point = tuple((p + q) / 2 for p, q in zip(*ends))
+    back = tuple(sign * part for part in tangent)
+    return _Joint(low, Frame(point, tangent), high, Frame(point, back), as_float((low + high) / 2), reach)
+
+
+def _regular(curve: FormulaCurve, at: Any) -> Vector:
+    """The tangent at a parameter that is no special point."""
+    from osculant.cas.zeros.form_zeros import SpecialPoint
+
+    return _frame(curve, SpecialPoint(at, frozenset()), 1).tangent
+
+
+def _between(
+    curve: FormulaCurve, before: _Joint, after: _Joint, kind: Kind, passed: Sequence[Any], free: bool
+) -> list[Stretch]:
+    """The stretch between two joints, and the bridge at the first if there is one."""
+    low, high = before.high, after.low
     a, b = as_float(low), as_float(high)
     inside = tuple(at for at in passed if a < as_float(at) < b or (free and as_float(at) == a))
     bend = curve.bend((low + (high - low) * INSIDE).mid())
-    return Stretch(low, high, a, b, _frame(curve, start, 1), _frame(curve, end, -1), kind, bend, inside)
+    reach = max((joint.reach for joint in (before, after) if joint.at is not None), default=0.0)
+    covers = (
+        (a if before.at is None else before.at, b if after.at is None else after.at) if reach > 0 else None
+    )
+    whole = Stretch(low, high, a, b, before.start, after.end, kind, bend, inside, reach, covers)
+    if before.at is not None:
+        return [whole]
+    ends = as_float(before.low), as_float(before.high)
+    return [
+        Stretch(before.low, before.high, *ends, before.end, before.start, "bridge", 1.0, (), before.reach),
+        whole,
+    ]
 
 
 def _frame(curve: FormulaCurve, point: SpecialPoint, side: int) -> Frame:

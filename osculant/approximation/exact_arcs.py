@@ -1,43 +1,49 @@
-"""A stretch of a conic, for conics, or of a circle, for biarcs: the pieces are parts of it."""
+"""A stretch of a conic, for conics, or of a circle, for biarcs: the pieces are parts of it.
+
+They are made from the conic's equation and from points of the curve, in balls: however unevenly the formula
+runs along the conic, and however sharp its bends are, doubles enter only where the results are rounded.
+"""
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from contextlib import suppress
 from functools import cached_property
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from osculant.approximation.arcs import Arcs
 from osculant.approximation.division import INSIDE
-from osculant.approximation.runs import Floats, Progress, Run, equal_shares, integrated, speed
-from osculant.kernels.biarcs.exact import circles_along
-from osculant.kernels.conics.exact import conics_through
-from osculant.kernels.operations import ERROR
+from osculant.approximation.runs import Floats, Progress, Run
+from osculant.approximation.segments import Segments
+from osculant.approximation.split_points import as_float
+from osculant.cas.errors import DomainError, UndecidedError
 
 if TYPE_CHECKING:
     from osculant.approximation.coordinates import Coordinates
     from osculant.approximation.division import Stretch
+    from osculant.cas.geometry.conic_curves import ConicCurve
     from osculant.primitives.primitive import Fit
 
-#: panels of the quadrature of affine length along an exact arc
-PANELS = 64
 #: an arc of a conic turns at most by this: it is bounded up to 2π, and well-conditioned up to here
 WIDEST = 1.5 * math.pi
-#: errors of arcs of the curve itself below so many times the noise, the floor of tolerances, are rounding
-RESOLVED = 250.0
+#: boxes into which a stretch is cut, at most, so that none goes half round the conic, and their bits
+MOST_BOXES, BITS = 10_000, 160
+#: a box whose points are enclosed to this part of the curve's size goes not round the conic
+SMALL = 0.25
+#: bisections that find a knot, or a point inside an arc
+HALVINGS = 60
+#: places inside an arc where its conic is read off, in turn: at no special ones
+RATIOS = (0.8713, 0.2957, 3.719)
 
 
-class ExactArcs(Arcs):
+class ExactArcs(Segments):
     """A stretch of an arc of the primitive: a `osculant.approximation.runs.Part`.
 
-    Pieces have equal affine lengths and turn by less than `Itself.turning` each.  Without a symbolic proof
-    that the curve is what it seems to be, errors are what is measured; where a bend is too sharp for the
-    arc's doubles, pieces are fitted as to any curve.
+    Pieces are equal arcs, in the eccentric angle, and turn by less than `Itself.turning` each.  Errors are 0
+    where it is proved that the curve is what it seems to be, else what rounding may make of them.
     """
-
-    exact = True
 
     def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch, proved: bool) -> None:
         super().__init__(coordinates, fit, stretch)
@@ -46,95 +52,181 @@ class ExactArcs(Arcs):
         self.turning = fit.primitive.itself.turning
 
     @cached_property
-    def _lengths(self) -> tuple[Floats, Floats]:
-        """Parameters, and the affine lengths from the beginning to them."""
-        return integrated(self.curve, self.ends, PANELS, affine_speed)
-
-    def _constant(self, name: str) -> float:
-        """Curvature or affine curvature, which is the same everywhere."""
-        from osculant.cas.numbers.balls import PRECISION, precision
-
-        with precision(PRECISION):
-            inside = (self.stretch.low + (self.stretch.high - self.stretch.low) * INSIDE).mid()
-            return float(getattr(self.curve.balls.jet(inside, 4), name).mid())
-
-    @cached_property
-    def _turning(self) -> float:
-        """A conic turns by π over the affine length π/√k."""
-        return float(self._lengths[1][-1]) * math.sqrt(max(self._constant("affine_curvature"), 0.0))
-
-    @cached_property
     def usual(self) -> int:
         """How many pieces there are unless a number is given: they turn by less than `Itself.turning`."""
-        return _parts(self._turning / self.turning)
+        return self._parts(self.turning)
 
     @cached_property
     def least(self) -> int:
         """How many pieces can be asked for: a conic's weight is −1/√2 where it turns by `WIDEST`."""
-        return _parts(self._turning / max(WIDEST, self.turning))
-
-    def spread(self, count: int) -> Floats:
-        """Knots of equal affine lengths."""
-        edges, lengths = self._lengths
-        return equal_shares(edges, lengths, count)
+        return self._parts(max(WIDEST, self.turning))
 
     def greedy(self, low: float, high: float, progress: Progress | None = None) -> Run:
-        """As few pieces as the turning allows, or, if doubles cannot follow those, as to any curve."""
-        run = self.fitted(self.spread(self.usual))
-        if run.error <= high:
-            return run
-        return replace(super().greedy(low, high, progress), limited=True)
-
-    def at_least(self, high: float) -> int:
-        """As many as the turning allows."""
-        return self.least
+        """As few pieces as the turning allows."""
+        return self.fitted(self.spread(self.usual))
 
     def fitted(self, knots: Floats) -> Run:
-        """The arcs of the curve between the knots; errors are 0 if doubles can follow them."""
-        rows, off = self._measured(knots)
-        errors = off / self.coordinates.scale
-        if self.fit.degree == 2:  # an area is no more than width times length
-            errors = errors * integrated(self.curve, self.ends, PANELS, speed)[1][-1]
-        resolved = errors <= RESOLVED * self.noise
-        return Run(knots, np.where(resolved & self.proved, 0.0, errors), rows)
+        """The arcs of the curve between the knots."""
+        error = 0.0 if self.proved else self.noise
+        return Run(knots, np.full(len(knots) - 1, error), np.empty((len(knots) - 1, 0)))
 
-    def _measured(self, knots: Floats) -> tuple[Floats, Floats]:
-        """Rows of the arcs between the knots, and how far the curve is from them, in the kernels' units."""
+    def spread(self, count: int) -> Floats:
+        """Knots of equal arcs."""
+        from osculant.cas.numbers.balls import precision
+
+        edges, reached = self._boxes[0], [float(tau.mid()) for tau in self._boxes[1]]
+        knots = [self.ends[0]]
+        with precision(BITS):
+            for i in range(1, count):
+                goal = reached[-1] * i / count
+                box = min(int(np.searchsorted(reached, goal)), len(edges) - 1)
+                knots.append(self._within(edges[box - 1], edges[box], goal - reached[box - 1]))
+        return np.array([*knots, self.ends[1]])
+
+    def pieces(self, run: Run) -> list[Any]:
+        """The pieces themselves, each rounded once."""
+        from osculant.cas.numbers.balls import PRECISION, precision
+
+        with precision(PRECISION):
+            points = [self._point(t) for t in self._balls(run.knots)]
+            parts = zip(pairwise(run.knots.tolist()), pairwise(points), run.errors.tolist(), strict=True)
+            return [self._piece(interval, *ends, error) for interval, ends, error in parts]
+
+    def _piece(self, interval: tuple[float, float], start: Any, end: Any, error: float) -> Any:
+        """The piece between two points, balls."""
         raise NotImplementedError
+
+    @cached_property
+    def conic(self) -> ConicCurve:
+        """The conic that the curve is an arc of, from a jet in the middle of the arc."""
+        from osculant.cas.geometry.conic_curves import ConicCurve
+        from osculant.cas.numbers.balls import PRECISION, precision
+
+        parabola = self.curve.vanishes("parabolic")
+        with precision(PRECISION):
+            for ratio in RATIOS:
+                with suppress(DomainError, UndecidedError):  # a point where the formula is singular
+                    return ConicCurve.through(self.curve.balls.jet(self._inside(ratio), 4), parabola)
+        raise UndecidedError(
+            f"The conic that {self.curve.text} runs along could not be told: give another interval."
+        )
+
+    def _inside(self, ratio: float) -> Any:
+        """A parameter where the distances to both ends, squared, have about this ratio."""
+        low, high = self.stretch.low, self.stretch.high
+        start, end = self._point(low), self._point(high)
+        if not _distance(start, end) > 0:  # it goes once round
+            return (low + (high - low) * INSIDE).mid()
+        for _ in range(HALVINGS):
+            middle = ((low + high) / 2).mid()
+            point = self._point(middle)
+            ahead = _distance(point, start) - ratio * _distance(point, end)
+            if ahead.contains(0):
+                break
+            low, high = (middle, high) if ahead < 0 else (low, middle)
+        return middle
+
+    def _parts(self, turning: float) -> int:
+        """How many equal arcs turn by less than that, a multiple of π/2, by which one turns too far."""
+        from flint import arb
+
+        from osculant.cas.numbers.balls import precision
+
+        if not self.conic.ellipse:
+            return 1
+        with precision(BITS):
+            allowed = arb.pi() * round(2 * turning / math.pi) / 2
+            parts = self._boxes[1][-1] * self.conic.S.sqrt() / allowed
+            return int(parts.upper().floor().unique_fmpz()) + 1  # where it may be a whole number, it is
+
+    @cached_property
+    def _boxes(self) -> tuple[list[Any], list[Any]]:
+        """Parameters so near that no arc between neighbours goes round, and how far τ has run at each."""
+        from flint import arb
+
+        from osculant.cas.numbers.balls import ball, precision
+
+        with precision(BITS):
+            pending = [(self.stretch.low, self.stretch.high)]
+            edges, reached = [self.stretch.low], [arb(0)]
+            reach = SMALL * self.coordinates.size.size
+            for _ in range(MOST_BOXES):
+                if not pending:
+                    return edges, reached
+                low, high = pending.pop()
+                box = self._point(ball(low, high)) if self.conic.ellipse else ()
+                if all(part.rad() < reach for part in box):
+                    edges.append(high)
+                    reached.append(reached[-1] + self._advance(low, high))
+                else:
+                    middle = ((low + high) / 2).mid()
+                    pending += [(middle, high), (low, middle)]
+        raise UndecidedError(
+            f"How often {self.curve.text} goes round its conic could not be told: give a shorter interval."
+        )
+
+    def _within(self, low: Any, high: Any, goal: float) -> float:
+        """The parameter in a box where τ has run so far from its beginning."""
+        first = low
+        for _ in range(HALVINGS):
+            middle = ((low + high) / 2).mid()
+            low, high = (middle, high) if self._advance(first, middle) < goal else (low, middle)
+        return float(high.mid())
+
+    def _advance(self, low: Any, high: Any) -> Any:
+        return self.conic.advance(self._point(low), self._point(high))
+
+    def _point(self, t: Any) -> tuple[Any, Any]:
+        x, y = self.curve.balls.coefficients(t, 0)
+        return x[0], y[0]
+
+    def _balls(self, knots: Floats) -> list[Any]:
+        """The knots, the ends as exactly as they are known."""
+        from flint import arb
+
+        return [self.stretch.low, *(arb(float(t)) for t in knots[1:-1]), self.stretch.high]
 
 
 class ConicArcs(ExactArcs):
     """A stretch of a conic."""
 
-    def _measured(self, knots: Floats) -> tuple[Floats, Floats]:
-        """Rows of the conics through an inner point each, and how far the curve is from them."""
-        rows = np.empty((len(knots) - 1, self.columns))
-        job = self.job(0.0, 0.0)
-        conics_through(job.record, job.address, job.place, knots, job.start, job.last, INSIDE, rows)
-        return rows, rows[:, ERROR]
+    def _piece(self, interval: tuple[float, float], start: Any, end: Any, error: float) -> Any:
+        """An arc of the conic."""
+        from osculant.pieces.conics import Piece, classify
+
+        arc = self.conic.between(start, end)
+        weight = float(arc.weight.mid())
+        kind = "parabola" if self.conic.parabola else classify(weight)
+        return Piece(kind, interval, _rounded(start), _rounded(end), _rounded(arc.middle), weight, error)
 
 
 class CircleArcs(ExactArcs):
     """A stretch of a circle."""
 
-    def _measured(self, knots: Floats) -> tuple[Floats, Floats]:
-        """Rows of biarcs with both arcs on the circle, and how far the curve is from it."""
-        bend = self._constant("curvature") * self.stretch.bend / self.coordinates.scale
-        edges, lengths = self._lengths
-        at_knots = np.interp(knots, edges, lengths)
-        middles = np.interp((at_knots[:-1] + at_knots[1:]) / 2, lengths, edges)
-        rows = np.empty((len(knots) - 1, self.columns))
-        job = self.job(0.0, 0.0)
-        circles_along(job.address, job.place, knots, middles, job.start, job.last, bend, rows)
-        return rows, rows[:, ERROR]
+    def _piece(self, interval: tuple[float, float], start: Any, end: Any, error: float) -> Any:
+        """A biarc with both arcs on the circle, of equal lengths."""
+        from osculant.pieces.biarcs import Biarc
+
+        arc = self.conic.between(start, end)
+        tangents = _unit(self.conic.along(start)), _unit((end[0] - start[0], end[1] - start[1]))
+        tx, ty = self.conic.along(start)
+        bend = self.conic.sense * self.conic.conic.a / (tx * tx + ty * ty).sqrt()
+        curvature = float(bend.mid())
+        first, last = map(_rounded, tangents)
+        points = _rounded(start), _rounded(arc.shoulder), _rounded(end)
+        return Biarc("arc", interval, *points, (first, last), (curvature, curvature), error)
 
 
-def _parts(turns: float) -> int:
-    """How many parts take less than 1 each; exactly 1 is too much."""
-    return math.floor(turns + 1e-9) + 1
+def _distance(point: Any, other: Any) -> Any:
+    """The square of a distance."""
+    dx, dy = point[0] - other[0], point[1] - other[1]
+    return dx * dx + dy * dy
 
 
-def affine_speed(jets: Floats) -> Floats:
-    """|α̇ × α̈|^{1/3} of jets of a plane curve (m, 2, 3)."""
-    (_, dx, ddx), (_, dy, ddy) = jets.transpose(1, 2, 0)
-    return np.asarray(np.cbrt(np.abs(dx * ddy - ddx * dy)))
+def _unit(vector: Any) -> Any:
+    length = (vector[0] * vector[0] + vector[1] * vector[1]).sqrt()
+    return vector[0] / length, vector[1] / length
+
+
+def _rounded(point: Any) -> tuple[float, float]:
+    return as_float(point[0]), as_float(point[1])

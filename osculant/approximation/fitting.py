@@ -15,6 +15,7 @@ from osculant.approximation.allocation import (
     may_be_less,
 )
 from osculant.approximation.arcs import Arcs
+from osculant.approximation.bridges import Bridge
 from osculant.approximation.circuits import Circuit
 from osculant.approximation.coordinates import Coordinates
 from osculant.approximation.exact_arcs import CircleArcs, ConicArcs
@@ -211,6 +212,8 @@ def resolution(
 
 def part_of(coordinates: Coordinates, fit: Fit, division: Division, stretch: Stretch) -> Part:
     """A stretch with the way to fit pieces to it."""
+    if stretch.kind == "bridge":
+        return Bridge(coordinates, fit, stretch)
     if stretch.kind == "segment":
         return Segments(coordinates, fit, stretch)
     if stretch.kind == "exact" and (itself := fit.primitive.itself) is not None:

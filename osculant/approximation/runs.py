@@ -161,11 +161,20 @@ def share_of(progress: Progress | None, i: int, count: int) -> Progress | None:
     return None if progress is None else lambda done: progress((i + done) / count)
 
 
-def not_found(high: float, at: float) -> UndecidedError:
+class StuckError(UndecidedError):
+    """Greedy pieces end where doubles cannot follow the curve: at the parameter ``at``."""
+
+    def __init__(self, message: str, at: float) -> None:
+        super().__init__(message)
+        self.at = at
+
+
+def not_found(high: float, at: float) -> StuckError:
     """The error of greedy pieces that end where doubles cannot follow the curve."""
-    return UndecidedError(
+    return StuckError(
         f"No piece with an error of {high:g} or less was found for the curve after t = {at:.15g}, "
-        "where double numbers cannot follow it: choose a split point there, or another interval."
+        "where double numbers cannot follow it: choose a split point there, or another interval.",
+        at,
     )
 
 

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from osculant.files.drafts import Written
     from osculant.spline import Spline
 
+#: angles of tangents where pieces meet, in radians, that are not worth a word
+SMOOTH = 1e-9
 #: split points that are listed
 LISTED = 8
 #: what the strokes of a file are called, by its format, if not curves
@@ -36,6 +38,8 @@ def print_spline(
         ("split points", _listed(spline.splits)),
         *([("split", UNSPLIT)] if spline.split == "never" and spline.minimal == "unknown" else []),
         *([("undecided", _listed(spline.undecided))] if spline.undecided else []),
+        *_tangents(spline),
+        *([("bridged", _bridged(spline))] if spline.bridged else []),
         ("time", f"{seconds:.3g} s"),
         *(("written", _written(file)) for file in files),
         *(("written", printable(picture)) for picture in pictures),
@@ -69,6 +73,26 @@ def _choice(spline: Spline) -> list[tuple[str, str]]:
     if spline.rule not in (None, usual):
         rows.append(("rule", str(spline.rule)))
     return rows
+
+
+def _tangents(spline: Spline) -> list[tuple[str, str]]:
+    """What tangents are off by where pieces meet, if that is more than it should be."""
+    from osculant.primitives.table import PRIMITIVES
+
+    jump = spline.max_tangent_jump()
+    if jump <= SMOOTH or not PRIMITIVES[spline.chain.dimension][spline.primitive].smooth:
+        return []
+    return [
+        ("tangents", f"differ by up to {jump:.2g} rad where pieces meet: these are too small for doubles")
+    ]
+
+
+def _bridged(spline: Spline) -> str:
+    """The arcs that are passed over, and how large they are."""
+    arcs = [f"{a:.10g} to {b:.10g} ({extent:.2g})" for a, b, extent in spline.bridged[:LISTED]]
+    more = ", …" if len(spline.bridged) > LISTED else ""
+    listed = ", ".join(arcs) + more
+    return f"{listed}: below the tolerance, passed over; at an end of the curve its tangent is lost"
 
 
 def _minimal(spline: Spline) -> str:
@@ -149,9 +173,14 @@ def _rounded(bound: float, direction: str) -> str:
 
 def _closing(spline: Spline) -> list[tuple[str, str]]:
     """Whether the ends are joined and, where any start would do, how good this one is."""
+    from osculant.primitives.table import PRIMITIVES
+
     if not spline.closed:
         return []
-    rows = [("closed", "yes")]
+    corner = spline.corner or 0.0
+    sharp = corner > SMOOTH and PRIMITIVES[spline.chain.dimension][spline.primitive].smooth
+    seam = f", with a corner of {math.degrees(corner):.4g}° at t = {spline.knots[0]:.10g}" if sharp else ""
+    rows = [("closed", f"yes{seam}")]
     if spline.gap is not None:
         best = "no other start has a smaller error"
         if spline.gap > 0:

@@ -279,6 +279,16 @@ class FormulaCurve(ABC):
         >>> [sorted(point.kinds) for point in PlaneCurve("t, t^3", -1, 2).special_points(["inflection"])]
         [['inflection']]
         """
+        known = self.__dict__.setdefault("_special_points", {})
+        if tuple(forms) not in known:
+            from osculant.curves.special import together
+
+            known[tuple(forms)] = together(self, forms, self._special_points_of_jets)
+        found: list[SpecialPoint] = known[tuple(forms)]
+        return found
+
+    def _special_points_of_jets(self, forms: Sequence[str]) -> list[SpecialPoint]:
+        """The same by the forms over jets in balls."""
         return self.zeros.within(*self.ends, forms)
 
     def __repr__(self) -> str:

@@ -69,11 +69,8 @@ class SpaceCurve(FormulaCurve):
 
         return zeros(self.balls)
 
-    def special_points(self, forms: Sequence[str]) -> list[SpecialPoint]:
-        """The zeros of the named forms on the interval, in order, also at its ends.
-
-        The curve has to be finite (`check_finite`), and no form to vanish identically. In a plane the zeros
-        of the curvature are simple, and are told apart.
+    def _special_points_of_jets(self, forms: Sequence[str]) -> list[SpecialPoint]:
+        """In a plane the zeros of the curvature are simple, and are told apart.
 
         >>> SpaceCurve("t, t^3, 0", -1, 2).special_points(["inflection"])[0].decided
         True

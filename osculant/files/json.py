@@ -38,11 +38,12 @@ def json(chain: Chain, facts: Facts, room: float) -> Draft:
 def data_of(spline: Any) -> dict[str, Any]:
     """A spline as plain dictionaries, lists and numbers.
 
-    Keys: "curve" (the formula), "primitive", "rule", "closed", "split", "given", "gap", "choice" (null where
-    they do not apply), "metric", "tolerance", "reserved" (what of it was left for writing), "pieces" (their
+    Keys: "curve" (the formula), "primitive", "rule", "closed", "corner" (the angle at the seam in radians),
+    "split", "given", "gap", "choice" (null where they do not apply), "metric", "tolerance", "reserved" (what of it was left for writing), "pieces" (their
     number), "arcs" (the number of arcs that they are made of), "knots", "error", "error_kind", "errors",
     "predicted", "predicted_pieces", "predicted_error" (null where unknown or not finite), "minimal",
-    "undecided", "splits" and "cusps" (parameters), "segments" (the pieces, as `Piece.to_json`,
+    "undecided", "splits" and "cusps" (parameters), "bridged" (first and last parameter, and the extent, of what
+    is passed over), "max_tangent_jump" (radians), "segments" (the pieces, as `Piece.to_json`,
     `Biarc.to_json`, `Cubic.to_json` or `SpacePiece.to_json` says), "certificate" (`Certificate.to_json`;
     null: none was asked for).
     """
@@ -53,6 +54,7 @@ def data_of(spline: Any) -> dict[str, Any]:
         "primitive": spline.primitive,
         "rule": spline.rule,
         "closed": spline.closed,
+        "corner": spline.corner,
         "split": spline.split,
         "given": spline.given,
         "gap": spline.gap,
@@ -71,6 +73,8 @@ def data_of(spline: Any) -> dict[str, Any]:
         "predicted_error": spline.predicted_error if finite else None,
         "minimal": spline.minimal,
         "undecided": list(map(float, spline.undecided)),
+        "bridged": [list(map(float, arc)) for arc in spline.bridged],
+        "max_tangent_jump": spline.max_tangent_jump(),
         "splits": list(map(float, spline.splits)),
         "cusps": spline.cusps,
         "segments": [piece.to_json() for piece in spline.pieces],

@@ -126,6 +126,16 @@ class Chain:
         """
         return max((2 * math.atan2(*sorted(_parted(*pair))) for pair in pairwise(self.arcs)), default=0.0)
 
+    def corner(self) -> float:
+        """Return the angle in radians, 0…π, from the tangent at the end to that at the start.
+
+        >>> from osculant.pieces.conics import Piece
+        >>> there, back = ((0.0, 0.0), (1.0, 0.0)), ((1.0, 0.0), (0.0, 0.0))
+        >>> Chain([Piece.segment((0.0, 1.0), *there), Piece.segment((1.0, 2.0), *back)]).corner() == math.pi
+        True
+        """
+        return 2 * math.atan2(*_parted(self.pieces[-1], self.pieces[0]))
+
     @property
     def cusps(self) -> list[float]:
         """The knots where the direction of the tangent is reversed."""

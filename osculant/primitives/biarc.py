@@ -36,6 +36,13 @@ def biarc_piece(values: Floats, place: Place, error: float) -> Biarc:
     )
 
 
+def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
+    """Small biarcs between two frames: see `osculant.pieces.bridges`."""
+    from osculant.pieces.bridges import biarcs
+
+    return biarcs(interval, start, end, error)
+
+
 def equioscillating(order: int) -> Any:
     """The kernels' record of the biarc with the least Hausdorff distance."""
     from osculant.kernels.biarcs.records import Biarc
@@ -64,4 +71,5 @@ BIARC = Primitive(
     minimal="by theory",
     piece=biarc_piece,
     segment=segment,
+    bridge=bridge,
 )

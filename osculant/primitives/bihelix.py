@@ -55,6 +55,13 @@ def helix_arc(helix: Floats) -> HelixArc:
     return HelixArc(_vector(start), _vector(tangent), _vector(axis), curvature, torsion, length)
 
 
+def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
+    """Small bihelices between two frames, made of circular arcs: see `osculant.pieces.bridges`."""
+    from osculant.pieces.bridges import space_arcs
+
+    return space_arcs(interval, start, end, error)
+
+
 def segment(interval: tuple[float, float], start: Vector, end: Vector) -> SpacePiece:
     """The straight piece between two points.
 
@@ -89,5 +96,6 @@ BIHELIX = Primitive(
     minimal="unknown",
     piece=bihelix_piece,
     segment=segment,
+    bridge=bridge,
     monotone=False,  # only while errors are small
 )

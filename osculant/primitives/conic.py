@@ -52,6 +52,13 @@ def segment(interval: tuple[float, float], start: Point, end: Point) -> Piece:
     return Piece.segment(interval, start, end)
 
 
+def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
+    """Small parabolas between two frames: see `osculant.pieces.bridges`."""
+    from osculant.pieces.bridges import parabolas
+
+    return parabolas(interval, start, end, error)
+
+
 def record(name: str) -> Method:
     """What loads the record of that name from `kernels.conics.records`."""
 
@@ -77,6 +84,7 @@ PARABOLA = Primitive(
     minimal="by theory",
     piece=parabola_piece,
     segment=segment,
+    bridge=bridge,
 )
 
 CONIC = Primitive(
@@ -96,4 +104,5 @@ CONIC = Primitive(
     minimal="by theory",
     piece=conic_piece,
     segment=segment,
+    bridge=bridge,
 )

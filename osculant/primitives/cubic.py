@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 from osculant.primitives.primitive import Primitive, user_point
@@ -47,6 +48,16 @@ def segment(interval: tuple[float, float], start: Point, end: Point) -> Any:
     return Piece.segment(interval, start, end)
 
 
+def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
+    """A small cubic between two frames, its arms a third of the chord."""
+    from osculant.pieces.cubics import Cubic
+
+    ((x0, y0), (tx0, ty0)), ((x3, y3), (tx3, ty3)) = start, end
+    arm = math.dist((x0, y0), (x3, y3)) / 3
+    handles = (x0 + arm * tx0, y0 + arm * ty0), (x3 - arm * tx3, y3 - arm * ty3)
+    return [Cubic(interval, (x0, y0), handles, (x3, y3), error)]
+
+
 CUBIC = Primitive(
     name="cubic",
     plural="cubics",
@@ -63,6 +74,7 @@ CUBIC = Primitive(
     minimal="unknown",
     piece=cubic_piece,
     segment=segment,
+    bridge=bridge,
     splits=(),
     monotone=False,
     few=8,

@@ -60,6 +60,20 @@ def space_piece(row: Floats, place: space.Place, error: float) -> SpacePiece:
     return replace(bihelix.segment((a, b), start, end), error=error)
 
 
+def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
+    """The chord between two frames of the plane."""
+    from osculant.pieces.conics import Piece
+
+    return [Piece.segment(interval, start[0], end[0], error)]
+
+
+def space_bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
+    """The chord between two frames in space."""
+    from dataclasses import replace
+
+    return [replace(bihelix.segment(interval, start[0], end[0]), error=error)]
+
+
 POLYGON = Primitive(
     name="polygon",
     plural="polygons",
@@ -71,6 +85,7 @@ POLYGON = Primitive(
     minimal="unknown",
     piece=plane_piece,
     segment=conic.segment,
+    bridge=bridge,
     smooth=False,
     fewest=INSCRIBED,
 )
@@ -86,6 +101,7 @@ SPACE_POLYGON = Primitive(
     minimal="unknown",
     piece=space_piece,
     segment=bihelix.segment,
+    bridge=space_bridge,
     splits=(),
     monotone=False,
     smooth=False,

@@ -60,6 +60,8 @@ class Primitive:
         minimal: what is claimed of the least number of pieces that the search finds.
         smooth: whether pieces meet with a common tangent; others are no candidates for the best.
         fewest: what is said beside the number of pieces where they do not, as "fewest" means other splines.
+        bridge: (interval, frame, frame, error) → small pieces from one frame to another, whatever the curve
+            does between (`osculant.pieces.bridges`); None if there is nothing of the kind.
         piece: (row of the kernel's table, the kernel's place of the curve, error) → the piece.
         segment: (interval, start, end) → the straight piece.
     """
@@ -79,6 +81,7 @@ class Primitive:
     few: int = 30
     smooth: bool = True
     fewest: str = ""
+    bridge: Callable[[tuple[float, float], Any, Any, float], list[Any]] | None = None
 
     def rules(self, metric: str) -> tuple[str, ...]:
         """The rules for a metric, the default first; none if errors are not measured so."""

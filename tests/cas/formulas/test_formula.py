@@ -327,3 +327,16 @@ def test_nothing_is_executed() -> None:
     with patch.dict(builtins.__dict__, dict.fromkeys(names, forbidden)):
         for text in ("eval(t)", "exec(t)", "sin(t)^2", "__import__('os')", "open(t)", "t.x", "[t]"):
             outcome(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["csc(pi)", "cot(-2*pi)", "sec(3*pi/2)", "tan(pi/2)", "1/sin(pi)", "1/cos(pi/2)"]
+)
+def test_poles_at_multiples_of_pi_are_refused(text):
+    with pytest.raises(FormulaError, match=r"Division by zero|pole"):
+        parse(text)
+
+
+def test_a_power_of_zero_keeps_the_domain():
+    assert str(parse("t^0")) == "1"
+    assert "acos" in str(parse("acos(t)^0"))

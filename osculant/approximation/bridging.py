@@ -1,0 +1,234 @@
+"""Arcs that lie below the tolerance as a whole: what the curve does there is passed over.
+
+Points where a curve would have to be split may lie so near to each other, or to an end of the curve, that
+the arc between is smaller than the tolerance; and doubles may be unable to follow a bend of that size.  Such
+an arc need not be followed.  At an end of the curve the piece before goes on to the end itself, in the
+direction that it had.  Elsewhere, if the curve goes on, or back, as it came, the pieces on both sides meet in
+one point; if it does not, small pieces (`osculant.pieces.bridges`) lead from the one side to the other.  The
+extent of the arc is an error of the pieces next to it: they pass through a point so near to all of it.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from osculant.approximation.split_points import as_float
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.curves.curve import FormulaCurve
+
+#: an arc is passed over if it lies within this part of the tolerance; of an area's, within that of its root
+PART, AREA_PART = 1 / 4, 1 / 16
+#: a curve that is so near to its chord, in parts of the tolerance, is its chord
+FLAT = 1 / 256
+#: and in parts of the curve's size
+STRAIGHTEST = 1e-6
+#: directions that differ by less than this are one
+STRAIGHT = 0.02
+#: what a curve may turn by, in radians, next to its end: within this part of what is passed over
+HOOK, NEXT = 0.02, 2.0**-9
+#: boxes in which an arc is enclosed, and a curve that may be flat, and the terms of the Taylor forms there
+BOXES, FLAT_BOXES, TERMS = 8, 64, 6
+#: bisections that find where an arc that is passed over begins and ends
+HALVINGS = 60
+
+
+@dataclass(frozen=True)
+class Blemish:
+    """An arc [low, high] that is passed over, balls; the curve is within ``reach`` of each of its points.
+
+    ``at_start`` and ``at_end`` tell whether it lies at that end of the curve.
+    """
+
+    low: Any
+    high: Any
+    reach: float
+    at_start: bool
+    at_end: bool
+
+
+def allowed_extent(tolerance: float, degree: int) -> float:
+    """How large an arc that is passed over may be, for a tolerance that is a length (degree 1) or an area.
+
+    >>> allowed_extent(1.0, 1)
+    0.25
+    """
+    return tolerance * PART if degree == 1 else math.sqrt(tolerance) * AREA_PART
+
+
+def flat_enough(tolerance: float, degree: int, size: float) -> float:
+    """How near to its chord a curve of that size may be for the chord to stand for it."""
+    return min(tolerance * FLAT / size ** (degree - 1), STRAIGHTEST * size)
+
+
+def blemishes(
+    curve: FormulaCurve,
+    knots: Sequence[tuple[Any, SpecialPoint]],
+    extent: float,
+    stuck: Sequence[float] = (),
+    closed: bool = False,
+) -> list[Blemish]:
+    """The arcs between neighbouring knots, or around places where a search was stuck, that are passed over.
+
+    Args:
+        curve: with its interval.
+        knots: where it would be divided, its ends among them, and what they are.
+        extent: how large an arc that is passed over may be.
+        stuck: parameters.
+        closed: whether the curve goes on beyond its ends.
+
+    Those that hold a point that the user asked for are left alone.  To be called within the balls' precision.
+    """
+    from flint import arb
+
+    places = [(at, "asked" in point.kinds) for at, point in knots] + [(arb(t), False) for t in stuck]
+    places.sort(key=lambda place: as_float(place[0]))
+    groups = [places[:1]]
+    for place in places[1:]:
+        if _reach(curve, groups[-1][0][0], place[0], extent) <= extent:
+            groups[-1].append(place)
+        else:
+            groups.append([place])
+    spans = [(group[0][0], group[-1][0]) for group in groups]
+    found = []
+    for i, (group, (low, high)) in enumerate(zip(groups, spans)):
+        lone = len(group) == 1 and as_float(low) not in stuck
+        if lone and not closed and len(groups) > 1 and i in (0, len(groups) - 1):
+            lone = not _is_hook(curve, low, spans[1][0] if i == 0 else spans[-2][1], extent * NEXT)
+        if lone or len(groups) == 1 or any(asked for _, asked in group):
+            continue
+        before = spans[i - 1][1] if i > 0 else None
+        after = spans[i + 1][0] if i + 1 < len(spans) else None
+        if closed and (before is None or after is None):
+            continue
+        first = low if before is None else _away(curve, low, (before + 2 * low) / 3, extent / 2)
+        last = high if after is None else _away(curve, high, (2 * high + after) / 3, extent / 2)
+        reach = _reach(curve, first, last, math.inf)
+        found.append(Blemish(first, last, reach, before is None, after is None))
+    return found
+
+
+def meeting(before: Sequence[float], after: Sequence[float]) -> tuple[float, tuple[float, ...]] | None:
+    """(1 or −1, the tangent) if a curve goes on, or back, as it came; None if it turns a corner.
+
+    The tangent is that of the pieces that end there; those that begin there have it, or its opposite.
+
+    >>> meeting((1.0, 0.0), (-1.0, 1e-3))[0], meeting((1.0, 0.0), (0.0, 1.0))
+    (-1.0, None)
+    """
+    along = math.fsum(u * v for u, v in zip(before, after))
+    sign = math.copysign(1.0, along)
+    total = [u + sign * v for u, v in zip(before, after)]
+    apart = math.hypot(*(u - sign * v for u, v in zip(before, after)))
+    if apart > STRAIGHT:
+        return None
+    length = math.hypot(*total)
+    return sign, tuple(part / length for part in total)
+
+
+def _away(curve: FormulaCurve, at: Any, end: Any, far: float) -> Any:
+    """Where the curve, on from a parameter towards another, is so far from its point there, or that one."""
+    from flint import arb
+
+    centre, near, beyond = _point(curve, at), at, end
+    for _ in range(HALVINGS):
+        middle = arb(((near + beyond) / 2).mid())
+        if math.dist(_point(curve, middle), centre) < far:
+            near = middle
+        else:
+            beyond = middle
+    return arb(as_float(beyond))
+
+
+def _is_hook(curve: FormulaCurve, end: Any, inside: Any, far: float) -> bool:
+    """Whether the curve turns by more than `HOOK` before it is so far from its end, where it is regular."""
+    from flint import arb
+
+    tangents = []
+    for at in (end, _away(curve, end, (end + inside) / 2, far)):
+        parts = [row[1] for row in curve.balls.coefficients(at, 1)]
+        length = sum((part * part for part in parts), arb(0)).sqrt()
+        if not length > 0:
+            return False
+        tangents.append([part / length for part in parts])
+    return bool(sum((u * v for u, v in zip(*tangents)), arb(0)) < math.cos(HOOK))
+
+
+def _point(curve: FormulaCurve, t: Any) -> tuple[float, ...]:
+    return tuple(float(row[0].mid()) for row in curve.balls.coefficients(t, 0))
+
+
+def _reach(curve: FormulaCurve, low: Any, high: Any, most: float) -> float:
+    """A bound of the distances between points of the arc; infinite if it is seen to be more than ``most``."""
+    if math.dist(_point(curve, low), _point(curve, high)) > most:
+        return math.inf
+    sides = []
+    for parts in zip(*(rows for rows, _ in _boxes(curve, low, high))):
+        side = parts[0]
+        for part in parts[1:]:
+            side = side.union(part)
+        sides.append(2 * float(side.rad()))
+    size = math.hypot(*sides)
+    return size if size <= most else math.inf
+
+
+def width(curve: FormulaCurve) -> float:
+    """A bound of the curve's distance from its chord, and of the way that it runs back along that, together.
+
+    >>> from osculant.curves.plane import PlaneCurve
+    >>> 0.0009 < width(PlaneCurve("t, t*(1-t)*4e-3", 0, 1)) < 0.0011, width(PlaneCurve("t^2, t", -1, 1)) >= 1
+    (True, True)
+    """
+    from flint import arb
+
+    from osculant.cas.numbers.balls import PRECISION, constant, precision
+
+    with precision(PRECISION):
+        low, high = map(constant, curve.ends)
+        start, end = ([row[0] for row in curve.balls.coefficients(at, 0)] for at in (low, high))
+        chord = [q - p for p, q in zip(start, end)]
+        length = sum((part * part for part in chord), arb(0)).sqrt()
+        if not length > 0:
+            return math.inf
+        along, farthest, back = [part / length for part in chord], arb(0), arb(0)
+
+        def split(rows: list[list[Any]]) -> list[list[Any]]:
+            """The series along the chord, then what is left of each coordinate's."""
+            ahead = [sum((u * c for u, c in zip(along, terms)), arb(0)) for terms in zip(*rows)]
+            return [ahead, *([c - u * a for c, a in zip(row, ahead)] for u, row in zip(along, rows))]
+
+        first = split([[part] for part in start])[1:]
+        for (_, *across), (slope, *_) in _boxes(curve, low, high, FLAT_BOXES, split):
+            back += (-slope).nonnegative_part().upper() * (high - low) / FLAT_BOXES
+            apart = [part - origin for part, [origin] in zip(across, first)]
+            off = sum((part * part for part in apart), arb(0))  # a power of a ball around 0 is not finite
+            farthest = farthest.max(off.upper())
+        bound = (farthest.upper().max(arb(0)) + back * back).upper().sqrt().upper()
+        return float(bound) if bound.is_finite() else math.inf
+
+
+def _boxes(
+    curve: FormulaCurve, low: Any, high: Any, count: int = BOXES, combined: Any = list
+) -> Iterator[tuple[list[Any], list[Any]]]:
+    """Enclosures of the curve, and of its derivative, on equal parts of [low, high].
+
+    Of what is ``combined`` linearly from the series of its coordinates, which are these themselves.
+    """
+    from osculant.cas.numbers.balls import ball
+    from osculant.cas.zeros.isolate import differentiated, taylor_form
+
+    edges = [low + (high - low) * i / count for i in range(count + 1)]
+    for a, b in pairwise(edges):
+        whole = ball(a, b)
+        centre = whole.mid()
+        h = whole - centre
+        both = (combined(curve.balls.coefficients(at, TERMS)) for at in (centre, whole))
+        rows = list(zip(*both))
+        slopes = [taylor_form(differentiated(at), differentiated(over), h) for at, over in rows]
+        yield [taylor_form(at, over, h) for at, over in rows], slopes

@@ -1,0 +1,89 @@
+"""Special points of a curve, from the factors of its forms where these can be had, else from its jets.
+
+What cancels in a form over jets costs ball arithmetic many small intervals; the differential field cancels it
+once and for all, and of what is left the zeros are quickly isolated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from osculant.cas.formulas.expression import Node
+    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.curves.curve import FormulaCurve
+
+#: of each kind of points, the form over jets and the derivatives that it takes
+FORMS = {
+    2: {
+        "cusp": ("speed_squared", 1),
+        "inflection": ("inflection_form", 2),
+        "parabolic": ("parabolic_form", 4),
+        "sextactic": ("sextactic_form", 5),
+        "vertex": ("curvature_slope_form", 3),
+    },
+    3: {
+        "cusp": ("speed_squared", 1),
+        "inflection": ("inflection_form", 2),
+        "vertex": ("curvature_slope_form", 3),
+    },
+}
+
+
+def from_factors(curve: FormulaCurve, name: str) -> list[SpecialPoint] | None:
+    """The zeros of one form on the curve's interval, all of them decided; None if that is not to be had so.
+
+    >>> from osculant.curves.plane import PlaneCurve
+    >>> points = from_factors(PlaneCurve("t, sin(t)", 1, 10), "sextactic")
+    >>> [round(float(point.at), 6) for point in points]
+    [1.570796, 4.712389, 7.853982]
+    """
+    from osculant.cas.invariants.factored import factored
+    from osculant.cas.jets.plane import PlaneJet
+    from osculant.cas.jets.space import SpaceJet
+
+    form = FORMS[curve.dimension].get(name)
+    if form is None:
+        return None
+    jet_type: Any = PlaneJet if curve.dimension == 2 else SpaceJet
+    factors = factored(curve.coordinates, jet_type, form[1], form[0])
+    if factors is None or any(_zeros(curve, factor, name) for factor in factors[1]):
+        return None
+    points = [point for factor in factors[0] for point in _zeros(curve, factor, name)]
+    return points if all(point.decided for point in points) else None
+
+
+def _zeros(curve: FormulaCurve, factor: Node, name: str) -> list[SpecialPoint]:
+    """The zeros of a formula on the curve's interval."""
+    from osculant.cas.numbers.balls import FormulaBalls
+    from osculant.cas.zeros.form_zeros import FormZeros, ZeroForm
+
+    def first(values: list[Any]) -> Any:
+        return values[0]
+
+    balls: FormulaBalls[Any] = FormulaBalls([factor], first)
+    return FormZeros(balls, {name: ZeroForm(lambda value: value, 0)}).within(*curve.ends, [name])
+
+
+def together(curve: FormulaCurve, names: Sequence[str], others: Any) -> list[SpecialPoint]:
+    """The zeros of the named forms, in order, merged where they coincide.
+
+    ``others`` finds those of the forms that have no factors, as `FormulaCurve.special_points` does.
+    """
+    from osculant.cas.numbers.balls import PRECISION, constant, precision
+    from osculant.cas.zeros.form_zeros import merged
+
+    found: list[SpecialPoint] = []
+    left = []
+    for name in names:
+        points = from_factors(curve, name)
+        if points is None:
+            left.append(name)
+        else:
+            found += points
+    if left:
+        found += others(left)
+    with precision(PRECISION):
+        low, high = map(constant, curve.ends)
+        return merged(found, high - low)
