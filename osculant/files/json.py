@@ -39,13 +39,13 @@ def data_of(spline: Any) -> dict[str, Any]:
     """A spline as plain dictionaries, lists and numbers.
 
     Keys: "curve" (the formula), "primitive", "rule", "closed", "corner" (the angle at the seam in radians),
-    "split", "given", "gap", "choice" (null where they do not apply), "metric", "tolerance", "reserved" (what of it was left for writing), "pieces" (their
-    number), "arcs" (the number of arcs that they are made of), "knots", "error", "error_kind", "errors",
-    "predicted", "predicted_pieces", "predicted_error" (null where unknown or not finite), "minimal",
-    "undecided", "splits" and "cusps" (parameters), "bridged" (first and last parameter, and the extent, of what
-    is passed over), "max_tangent_jump" (radians), "segments" (the pieces, as `Piece.to_json`,
-    `Biarc.to_json`, `Cubic.to_json` or `SpacePiece.to_json` says), "certificate" (`Certificate.to_json`;
-    null: none was asked for).
+    "split", "given", "gap", "choice" (null where they do not apply), "metric", "tolerance", "reserved" (what
+    of it was left for writing), "pieces" (their number), "arcs" (the number of arcs that they are made of),
+    "knots", "error", "error_kind", "errors", "predicted", "predicted_pieces", "predicted_error" (null where
+    unknown or not finite), "minimal", "undecided" (parameters), "bridged" (first and last parameter and the
+    extent of arcs that are passed over), "max_tangent_jump" (in radians), "splits" and "cusps" (parameters),
+    "segments" (the pieces, as `Piece.to_json`, `Biarc.to_json`, `Cubic.to_json` or `SpacePiece.to_json`
+    says), "certificate" (`Certificate.to_json`; null: none was asked for).
     """
     predicted = spline.predicted
     finite = predicted is not None and math.isfinite(predicted)
