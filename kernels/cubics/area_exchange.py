@@ -51,7 +51,7 @@ class Crossed(NamedTuple):
 #: Newton steps for arms, of crossings, and the residual in parts of the first that is none
 STEPS, ROUNDS, NONE = 10, 6, 1e-9
 #: the rule of `gauss` between crossings
-RULE = 1
+RULE = 1.0
 #: crossings that the arms can hardly move relative to one another are no two
 SINGULAR = 1e-9
 #: a crossing moves at most this part of the arc at once, and stays inside these margins

@@ -18,7 +18,7 @@ from osculant.kernels.gauss import NODES, SIZES, TAILS, WEIGHTS
 from osculant.kernels.jit import kernel
 
 #: the rule of `gauss`, the last coefficient's square in parts of the area that is small, and panels at most
-RULE, ACCURATE, MOST = 2, 1e-11, 64
+RULE, ACCURATE, MOST = 2.0, 1e-11, 64
 #: visits of one crossing, and the relative step that ends them: an area depends on its square
 VISITS, SETTLED = 8, 1e-8
 
@@ -43,19 +43,20 @@ class Areas(NamedTuple):
 
 @kernel
 def swept(
-    source: Source, ends: Ends, a0: float, a3: float, low: float, high: float, foot: float, rule: int
+    source: Source, ends: Ends, a0: float, a3: float, low: float, high: float, foot: float, rule: float
 ) -> Strip:
     """The strip between two parameters by one Gauss rule; NaN where the cubic strays."""
+    index = int(rule)  # whole numbers would be compiled for one by one
     area, by0, by3, tail = 0.0, 0.0, 0.0, 0.0
-    for i in range(SIZES[rule]):
-        at = sample(source, low + (high - low) * NODES[rule, i])
+    for i in range(SIZES[index]):
+        at = sample(source, low + (high - low) * NODES[index, i])
         seen = see(ends, a0, a3, at, foot)
         foot = seen.foot
         rate = (high - low) * at.speed
         height = rate * seen.d * (1.0 - 0.5 * at.curvature * seen.d)
-        share = WEIGHTS[rule, i] * rate * (1.0 - at.curvature * seen.d)
-        area += WEIGHTS[rule, i] * height
-        tail += TAILS[rule, i] * height
+        share = WEIGHTS[index, i] * rate * (1.0 - at.curvature * seen.d)
+        area += WEIGHTS[index, i] * height
+        tail += TAILS[index, i] * height
         by0 += share * seen.by0
         by3 += share * seen.by3
     return Strip(area, by0, by3, abs(tail), foot)
@@ -170,7 +171,7 @@ def measure(
     count = look(source, a, b, ends, points, space.samples)
     if count < 0:
         return math.inf
-    found = areas_of(source, a, b, ends, a0, a3, count, 1 + count // (4 * SIZES[RULE]), space)
+    found = areas_of(source, a, b, ends, a0, a3, count, 1 + count // (4 * SIZES[int(RULE)]), space)
     if found.area < math.inf and highest(space.samples, count) <= ITSELF * source.place.noise:
         return 0.0
     return found.area

@@ -28,7 +28,7 @@ GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 #: a cubic that crosses twice has the area that the crossings say, to this part
 ALIKE, CALM = 1e-8, 1e-12
 #: panels between crossings
-PANELS = 1
+PANELS = 1.0
 
 
 @kernel
@@ -41,7 +41,7 @@ def least_by_sum(
     x, before, slope_before = total, math.nan, math.nan
     for _ in range(STEPS):
         found = areas_of(
-            source, a, b, ends, 0.5 * (x + difference), 0.5 * (x - difference), count, PANELS, space
+            source, a, b, ends, 0.5 * (x + difference), 0.5 * (x - difference), count, int(PANELS), space
         )
         if found.area < best:
             best, best_total = found.area, x
@@ -126,7 +126,7 @@ def best(
         fast = crossed(source, a, b, ends, a0, a3, generated.CROSSING, 1.0 - generated.CROSSING, CALM)
         value = math.inf
         if fast.settled:
-            value = areas_of(source, a, b, ends, fast.a0, fast.a3, count, PANELS, space).area
+            value = areas_of(source, a, b, ends, fast.a0, fast.a3, count, int(PANELS), space).area
         if abs(value - fast.area) <= ALIKE * fast.area:
             a0, a3 = fast.a0, fast.a3
         else:

@@ -21,11 +21,12 @@ from osculant.kernels.curves.plane import Frame, Source
 from osculant.kernels.generated import cubics as generated
 from osculant.kernels.jit import kernel
 
-#: rounds from one start, the promise of a linear program that ends them, and that of a rival
-ROUNDS, ENOUGH = 40, 1e-9
+#: rounds from one start, and the promise of a linear program that ends them; rounds are floats here, as numba
+#: would compile for each whole number anew
+ROUNDS, ENOUGH = 40.0, 1e-9
 #: rounds that tell which start is the best; the second is followed, too, if it is so much worse at most, and
 #: if its arms differ by more than this part
-FEW_ROUNDS, RIVAL, ALIKE = 5, 3.0, 1e-3
+FEW_ROUNDS, RIVAL, ALIKE = 5.0, 3.0, 1e-3
 #: differences of arms to start from besides, in parts of the sum
 TILTS = (0.0, 0.5, -0.5, 0.85, -0.85)
 #: the trust region at first, in parts of the arms, and the least one
@@ -36,7 +37,7 @@ SUMS, FIRST, SLIDES, SECTIONS, GOLDEN = 5, 1e-3, 12, 24, 0.381966
 #: what fast steps level peaks to, after the search
 CALM = 1e-9
 #: a rival that has no three peaks is looked at so closely, and sought with care if it is so much lower
-RIVAL_POINTS, RIVAL_ROUNDS, LOWER = 9, 4, 1.05
+RIVAL_POINTS, RIVAL_ROUNDS, LOWER = 9.0, 4.0, 1.05
 
 
 @kernel
@@ -48,14 +49,14 @@ def lowered(
     a0: float,
     a3: float,
     count: int,
-    rounds: int,
+    rounds: float,
     space: Space,
 ) -> tuple[float, float, float]:
     """(max |d|, arms) after lowering it from given arms, over the samples in ``space``; infinite if none."""
     table = np.empty((CONSTRAINTS, 3))
     error, found = looked(source, a, b, ends, a0, a3, count, space)
     region = REGION * (a0 + a3)
-    for _ in range(rounds):
+    for _ in range(int(rounds)):
         if not error < math.inf:
             break
         size = gather(space, found, count, table)
@@ -213,7 +214,7 @@ def confirm(
         if value < error:
             error, arms = value, Arms(other.a0, other.a3)
     for i in range(sure, merged):
-        count = look(source, a, b, ends, RIVAL_POINTS, space.samples)
+        count = look(source, a, b, ends, int(RIVAL_POINTS), space.samples)
         value, a0, a3 = lowered(
             source, a, b, ends, space.arms[i, 0], space.arms[i, 1], count, RIVAL_ROUNDS, space
         )

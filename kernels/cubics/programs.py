@@ -13,7 +13,7 @@ from osculant.kernels.curves.plane import Source
 from osculant.kernels.jit import kernel
 
 #: peaks are visited so often for a linear program
-BRIEF = 2
+BRIEF = 2.0
 #: peaks and samples in one linear program, and samples among them
 CONSTRAINTS, AMONG = 16, 5
 

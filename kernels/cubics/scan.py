@@ -21,7 +21,7 @@ PEAKS, PEAK_COLUMNS = 48, 4
 #: neighbouring samples whose tangents differ by more than this angle are too far apart
 LARGEST_TURN = 0.35
 #: visits of one peak, and the relative correction of its height that ends them
-VISITS, SETTLED = 8, 1e-7
+VISITS, SETTLED = 8.0, 1e-7
 #: a peak is not sought nearer than this to an end of its interval, in parts of it
 MARGIN = 0.01
 #: a cubic is the curve itself where it is nearer than so many units of the coordinates' noise
@@ -117,7 +117,7 @@ def guess(d0: float, s0: float, d1: float, s1: float) -> tuple[float, float]:
 @kernel
 def peak_between(
     source: Source, ends: Ends, a0: float, a3: float, t0: float, u0: float, d0: float, s0: float,
-    t1: float, u1: float, d1: float, s1: float, visits: int,
+    t1: float, u1: float, d1: float, s1: float, visits: float,
 ) -> tuple[float, Seen]:  # fmt: skip
     """(gain of the last step, what is seen) at the extreme of d between two samples.
 
@@ -129,7 +129,7 @@ def peak_between(
     margin = MARGIN * h
     t, before, steepness, gain = t0 + part * h, math.nan, math.nan, 0.0
     seen = see(ends, a0, a3, sample(source, t), u0 + part * (u1 - u0))
-    for _ in range(visits):
+    for _ in range(int(visits)):
         if math.isnan(seen.foot):
             break
         if t != before and seen.slope != steepness and not math.isnan(before):
@@ -156,7 +156,7 @@ def peaks_of(
     a3: float,
     count: int,
     space: Space,
-    visits: int,
+    visits: float,
 ) -> tuple[float, int]:
     """(max |d|, number of peaks), the peaks in ``space``, after `trace`; infinite if a normal misses."""
     samples, peaks = space.samples, space.peaks

@@ -27,7 +27,7 @@ def test_no_other_primitive_takes_fewer_numbers(formula, tolerance, metric):
 def test_numbers_of_each_kind():
     spiral = osc.curve(*SPIRAL)
     numbers = {name: osc.approximate(spiral, name, pieces=5).numbers for name in candidates(2)}
-    assert numbers == {"parabola": 2 + 5 * 4, "conic": 2 + 5 * 5, "biarc": 2 + 5 * 6}
+    assert numbers == {"parabola": 2 + 5 * 4, "conic": 2 + 5 * 5, "biarc": 2 + 5 * 6, "cubic": 2 + 5 * 6}
     assert osc.approximate(osc.curve("t, 2*t", 0, 1)).numbers == 4
     assert osc.approximate(osc.curve("cos(t), sin(t)", 0, 3), "biarc").numbers == 5
 
