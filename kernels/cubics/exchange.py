@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from osculant.kernels.cubics.arms import Ends, Seen, ends_of, reach, see
 from osculant.kernels.cubics.scan import Space
 from osculant.kernels.cubics.starts import starts
+from osculant.kernels.curves.peaks import within_reason
 from osculant.kernels.curves.plane import Frame, Source, sample
 from osculant.kernels.generated import cubics as generated
 from osculant.kernels.jit import kernel
@@ -60,8 +61,6 @@ class Arms(NamedTuple):
 ROUNDS, UNEVEN = 14, 0.3
 #: peaks are moved where they are uneven by less, and their heights corrected where that is by less
 ROUGH, FINE = 1.0, 0.15
-#: a peak moves at most this part of the arc at once, and stays inside these margins
-LARGEST_MOVE, MARGIN = 0.1, 0.01
 #: an arm changes at most by this factor in one step
 FACTOR = 2.0
 #: peaks whose level the arms can hardly change relative to one another are no three
@@ -90,9 +89,7 @@ def height(seen: Seen, h: float, sharpness: float) -> float:
 @kernel
 def moved(place: float, seen: Seen, h: float, sharpness: float) -> float:
     """The peak's place after one Newton step, kept within reason."""
-    step = seen.slope * h / (sharpness * seen.d)
-    step = min(LARGEST_MOVE, max(-LARGEST_MOVE, step))
-    return min(1.0 - MARGIN, max(MARGIN, place + step))
+    return within_reason(place, seen.slope * h / (sharpness * seen.d))
 
 
 @kernel

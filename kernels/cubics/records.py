@@ -11,7 +11,7 @@ from osculant.kernels.cubics.exchange import Arms
 from osculant.kernels.curves.plane import IN_THE_PLANE, Frame, Source
 from osculant.kernels.generated import laws
 from osculant.kernels.jit import kernel
-from osculant.kernels.operations import SHAPE, Rules, register
+from osculant.kernels.operations import EXACT, SETTLED, SHAPE, Rules, register
 
 
 class Cubic(NamedTuple):
@@ -51,8 +51,6 @@ def record(fit: Any, row: np.ndarray[Any, Any], arms: Arms, start: Frame, end: F
 
 #: no usable cubic was seen for arcs that turn by more
 TURNING = 4.7
-#: what fast steps have to come to: corrections that Newton's method squares, or the error of an area itself
-SETTLED, EXACT = 1e-9, 1e-12
 #: equidistant samples that tell four peaks
 CHECKED = 16
 

@@ -7,9 +7,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from osculant.kernels.course import spot, spots
 from osculant.kernels.cubics.arms import Ends, Seen, goes_along, see
 from osculant.kernels.cubics.roots import COLUMNS as POLYNOMIAL
 from osculant.kernels.cubics.starts import MOST
+from osculant.kernels.curves.peaks import MARGIN, cubic_peak
 from osculant.kernels.curves.plane import Sample, Source, sample
 from osculant.kernels.jit import kernel
 
@@ -22,8 +24,6 @@ PEAKS, PEAK_COLUMNS = 48, 4
 LARGEST_TURN = 0.35
 #: visits of one peak, and the relative correction of its height that ends them
 VISITS, SETTLED = 8.0, 1e-7
-#: a peak is not sought nearer than this to an end of its interval, in parts of it
-MARGIN = 0.01
 #: a cubic is the curve itself where it is nearer than so many units of the coordinates' noise
 ITSELF = 2.0
 
@@ -52,30 +52,29 @@ def workspace(fit: Any) -> Space:
 
 @kernel
 def look(source: Source, a: float, b: float, ends: Ends, points: int, samples: np.ndarray[Any, Any]) -> int:
-    """Fill ``samples`` at ``points`` equidistant inner points, or more where the curve turns a lot.
+    """Fill ``samples`` at ``points`` inner points or more: where the course tells, and where the curve turns.
 
     Returns how many; −1 if there is no room for as many as it takes.
     """
     cosine = math.cos(LARGEST_TURN)
-    while points < samples.shape[0]:
+    while True:
+        at = spots(source.course, a, b, points)
+        count = at.steps - 1
+        if count > samples.shape[0]:
+            return -1
         tx, ty, fine = ends.tx0, ends.ty0, True
-        for i in range(points + 1):
-            if i < points:
-                t = a + (b - a) * (i + 1) / (points + 1)
-                at = sample(source, t)
-                row = samples[i]
-                for j, value in enumerate(at):
-                    row[j] = value
-                row[TIME] = t
-                nx, ny = at.tx, at.ty
-            else:
-                nx, ny = ends.tx3, ends.ty3
-            fine = fine and tx * nx + ty * ny >= cosine
-            tx, ty = nx, ny
-        if fine:
-            return points
-        points = 2 * points + 1
-    return -1
+        for i in range(count):
+            t = spot(source.course, at, i + 1)
+            here = sample(source, t)
+            row = samples[i]
+            for j, value in enumerate(here):
+                row[j] = value
+            row[TIME] = t
+            fine = fine and tx * here.tx + ty * here.ty >= cosine
+            tx, ty = here.tx, here.ty
+        if fine and tx * ends.tx3 + ty * ends.ty3 >= cosine:
+            return count
+        points = 2 * count + 1
 
 
 @kernel
@@ -101,20 +100,6 @@ def trace(ends: Ends, a0: float, a3: float, samples: np.ndarray[Any, Any], count
 
 
 @kernel
-def guess(d0: float, s0: float, d1: float, s1: float) -> tuple[float, float]:
-    """(u, second derivative there) of the extreme in (0, 1) of the cubic with these ends and slopes."""
-    b = 3.0 * (d1 - d0) - 2.0 * s0 - s1
-    c = s0 + s1 - 2.0 * (d1 - d0)
-    below = -(b + math.copysign(math.sqrt(max(0.0, b * b - 3.0 * c * s0)), b))
-    u = s0 / below if below != 0.0 else 0.5
-    if not 0.0 < u < 1.0:
-        u = below / (3.0 * c) if c != 0.0 else 0.5
-    if not 0.0 < u < 1.0:
-        u = 0.5
-    return u, 2.0 * b + 6.0 * c * u
-
-
-@kernel
 def peak_between(
     source: Source, ends: Ends, a0: float, a3: float, t0: float, u0: float, d0: float, s0: float,
     t1: float, u1: float, d1: float, s1: float, visits: float,
@@ -124,7 +109,7 @@ def peak_between(
     Its foot is NaN if the normal misses.
     """
     h = t1 - t0
-    part, bend = guess(d0, s0 * h, d1, s1 * h)
+    part, bend = cubic_peak(d0, s0 * h, d1, s1 * h)
     bend /= h * h
     margin = MARGIN * h
     t, before, steepness, gain = t0 + part * h, math.nan, math.nan, 0.0
