@@ -177,6 +177,11 @@ def piece_points(segment, u):
     first, last = number(points[0]), number(points[-1])
     if segment["kind"] == "segment":
         return first + u[:, None] * (last - first)
+    if segment["kind"] == "cubic":
+        one, two = number(points[1]) - first, number(points[2]) - first
+        v = 1 - u
+        inner = np.outer(3 * v * v * u, one) + np.outer(3 * v * u * u, two)
+        return first + inner + np.outer(u**3, last - first)
     middle, w = number(segment["middle"]), number(segment["weight"])
     b0, b1, b2 = (1 - u) ** 2, 2 * u * (1 - u), u * u
     top = np.outer(b1, middle - w * first) + np.outer(b2, last - first)

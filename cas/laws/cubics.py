@@ -116,10 +116,10 @@ def _compiled() -> Any:
 
 
 def least(jet: PlaneJet) -> Any:
-    """min |D| over the real roots of (C), at a jet of balls; infinite where there is none, at flat points."""
+    """min |D| over the real roots of (C), at a jet of balls; 0 where (C) says nothing, on straight parts."""
     from flint import arb
 
-    return min((abs(value) for value in residuals(jet)), key=float, default=arb.pos_inf())
+    return min((abs(value) for value in residuals(jet)), key=float, default=arb(0))
 
 
 def branch(jet: PlaneJet) -> tuple[int, int, bool]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from scipy.spatial import cKDTree
 
 import osculant as osc
 from osculant.cli.main import main
+from tests.random_curves import draw, try_out
 
 CURVES = {
     "spiral": ("t*cos(t), t*sin(t)", "pi/6", "2*pi"),
@@ -264,6 +266,27 @@ def test_nearly_straight_curves(power, text):
 def test_hard_curves(text, low, high, tolerance):
     curve = osc.curve(text, low, high)
     check(curve, osc.approximate(curve, "cubic", tolerance), rel=5e-3)
+
+
+#: curves that other primitives were tried on, in the plane
+RANDOM = [case for case in map(draw, range(60)) if case.text.count(",") == 1]
+
+
+@pytest.mark.parametrize(
+    "case", [replace(case, primitive="cubic") for case in RANDOM[:6]], ids=lambda case: str(case.seed)
+)
+def test_random_curves(case):
+    outcome = try_out(case)
+    assert not outcome.fails, f"{case.question}: {outcome}"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "case", [replace(case, primitive="cubic") for case in RANDOM[6:]], ids=lambda case: str(case.seed)
+)
+def test_more_random_curves(case):
+    outcome = try_out(case)
+    assert not outcome.fails, f"{case.question}: {outcome}"
 
 
 @pytest.mark.slow
