@@ -3,10 +3,10 @@
 Many turns, uneven parametrisations, waves, bumps and loops whose size is a few tolerances, near-cusps,
 control points that nearly coincide, coordinates far from the origin.  Each seed makes one curve.
 
-    python -m tests.random_curves tests/data/random-curves.txt 2000
+    python -m tests.random_curves tests/data/random-curves.txt 2000 2
 
-goes on with a record where it ends, a line for each curve, up to so many, and prints what it says in all; the
-exit status is 1 if an error is beyond its tolerance, or beyond what was reported.
+goes on with a record where it ends, a line for each curve, up to so many, in two processes, and prints what
+it says in all; the exit status is 1 if an error is beyond its tolerance, or beyond what was reported.
 """
 
 from __future__ import annotations
@@ -17,7 +17,9 @@ import sys
 import time
 import traceback
 from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from multiprocessing import get_context
 from pathlib import Path
 
 import osculant as osc
@@ -353,17 +355,23 @@ def summary(path: Path) -> str:
     )
 
 
-def main(path: Path, last: int) -> int:
+def tried(seed: int) -> str:
+    """The line of a seed."""
+    case = draw(seed)
+    return line_of(case, try_out(case))
+
+
+def main(path: Path, last: int, processes: int = 1) -> int:
     """Go on with a record up to the seed ``last`` − 1; returns the exit status."""
-    warm()
-    with path.open("a", encoding="utf-8") as record:
-        for seed in range(len(recorded(path)), last):
-            case = draw(seed)
-            record.write(line_of(case, try_out(case)) + "\n")
+    seeds = range(len(recorded(path)), last)
+    workers = ProcessPoolExecutor(processes, get_context("spawn"), initializer=warm)
+    with path.open("a", encoding="utf-8") as record, workers as pool:
+        for line in pool.map(tried, seeds):
+            record.write(line + "\n")
             record.flush()
     print(summary(path))
     return int(any(row[1] in FAILURES for row in recorded(path)))
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1]), int(sys.argv[2])))
+    sys.exit(main(Path(sys.argv[1]), *map(int, sys.argv[2:])))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache
 from itertools import pairwise
 from typing import Any, Generic, TypeVar
 
@@ -48,6 +48,9 @@ PROBES = ("0.38196601", "0.61803399", "0.14589803", "0.85410197", "0.5278640")
 HIDDEN = 2.0**-40
 #: intervals at most on which a form is looked at alone
 MOST_SPANS = 32
+#: bits that isolation has beyond those that tell it where to look; a form is as good as nothing below this
+#: part of what it is elsewhere
+SPARE, TINY = 96, 2.0**-200
 
 Jet = TypeVar("Jet")
 
@@ -164,9 +167,9 @@ class FormZeros(Generic[Jet]):
     def _isolated(
         self, decide: Decide, names: Sequence[str], low: Any, high: Any
     ) -> tuple[Isolation, list[SpecialPoint]]:
-        """`isolate`, and the ends of where a form cannot be told from 0 at all, which is left out.
+        """`isolate`, and the ends of where a form is as good as nothing, which is left out.
 
-        A bump on a line curves it everywhere, but nowhere so that digits could tell but where the bump is.
+        A bump on a line curves it everywhere, but only about the bump so that digits, or anybody, could tell.
         """
         flat = [name for name in names if self._is_flat(name, low, high)]
         found, ends = (
@@ -184,21 +187,35 @@ class FormZeros(Generic[Jet]):
         return found, ends
 
     def _is_flat(self, name: str, low: Any, high: Any) -> bool:
-        """Whether a form cannot be told from 0 about one of the probes."""
+        """Whether a form is as good as nothing about one of the probes, beside another."""
         places = [float((low + (high - low) * arb(probe)).mid()) for probe in PROBES]
-        return any(self._is_zero(name, t) and self._is_nothing(name, t) for t in places)
+        sizes = [self._size(name, t, 0.0) for t in places]
+        return not min(sizes) > max(sizes) * TINY
 
-    def _is_nothing(self, name: str, t: float) -> bool:
-        """Whether no Taylor coefficient of a form can be told from 0 at a double."""
-        series = self.series(name, arb(t), LENGTH)
-        return series is not None and all(c.contains(0) for c in series)
+    def _size(self, name: str, t: float, reach: float) -> Any:
+        """The largest term of a form's Taylor polynomial within reach of a double; infinite where it has none.
+
+        It is 0 if no coefficient can be told from 0.
+        """
+        with precision(PRECISION - SPARE):
+            series = self.series(name, arb(t), LENGTH if reach else 1)
+        if series is None:
+            return arb("inf")
+        if all(c.contains(0) for c in series):
+            return arb(0)
+        return max((abs(c).upper() * arb(reach) ** k for k, c in enumerate(series)))
 
     def _told(self, name: str, low: Any, high: Any) -> list[tuple[Any, Any]]:
-        """The intervals on which a form can be told from 0 throughout, the whole if they are many."""
+        """The intervals on which a form is not as good as nothing, the whole if they are many."""
         spans: list[tuple[Any, Any]] = []
-        nothing = cache(partial(self._is_nothing, name))
-        for start, end in self._parts(low, high):
-            if any(map(nothing, (start, (start + end) / 2, end))):
+        parts = self._parts(low, high)
+        sizes = [
+            [self._size(name, t, (end - start) / 2) for t in (start, (start + end) / 2, end)]
+            for start, end in parts
+        ]
+        largest = max((min(three) for three in sizes if all(x.is_finite() for x in three)), default=arb(0))
+        for (start, end), three in zip(parts, sizes, strict=True):
+            if not min(three) > largest * TINY:
                 continue
             if spans and spans[-1][1] == start:
                 start = spans.pop()[0]
