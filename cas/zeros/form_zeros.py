@@ -193,7 +193,7 @@ class FormZeros(Generic[Jet]):
         return not min(sizes) > max(sizes) * TINY
 
     def _size(self, name: str, t: float, reach: float) -> Any:
-        """The largest term of a form's Taylor polynomial within reach of a double; infinite where it has none.
+        """The largest term of the Taylor polynomial of a form within reach of a double; infinite without one.
 
         It is 0 if no coefficient can be told from 0.
         """
