@@ -50,7 +50,7 @@ HIDDEN = 2.0**-40
 MOST_SPANS = 32
 #: bits that isolation has beyond those that tell it where to look; a form is as good as nothing below this
 #: part of what it is elsewhere
-SPARE, TINY = 96, 2.0**-200
+SPARE, TINY = 96, 2.0**-1000
 
 Jet = TypeVar("Jet")
 
@@ -172,10 +172,9 @@ class FormZeros(Generic[Jet]):
         A bump on a line curves it everywhere, but only about the bump so that digits, or anybody, could tell.
         """
         flat = [name for name in names if self._is_flat(name, low, high)]
-        found, ends = (
-            isolate(self.evaluate, decide, [name for name in names if name not in flat], low, high),
-            [],
-        )
+        others = [name for name in names if name not in flat]
+        found = isolate(self.evaluate, decide, others, low, high)
+        ends: list[SpecialPoint] = []
         for name in flat:
             found.brackets[name] = []
             for start, end in self._told(name, low, high):
@@ -203,7 +202,7 @@ class FormZeros(Generic[Jet]):
             return arb("inf")
         if all(c.contains(0) for c in series):
             return arb(0)
-        return max((abs(c).upper() * arb(reach) ** k for k, c in enumerate(series)))
+        return max(abs(c).upper() * arb(reach) ** k for k, c in enumerate(series))
 
     def _told(self, name: str, low: Any, high: Any) -> list[tuple[Any, Any]]:
         """The intervals on which a form is not as good as nothing, the whole if they are many."""

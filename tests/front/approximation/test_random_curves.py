@@ -3,6 +3,7 @@
 import pytest
 
 import osculant as osc
+from osculant.approximation.division import divide
 from tests.hausdorff import Formula, distance
 from tests.random_curves import EXCESS, HONEST, draw, try_out
 
@@ -64,6 +65,21 @@ def test_features_between_samples(text, low, high, primitive, tolerance):
         found = distance(formula, piece, edges, 4)
         assert found <= tolerance * EXCESS
         assert found <= piece["error"] * HONEST + 1e-7 * tolerance
+
+
+@pytest.mark.parametrize(
+    ("text", "primitive", "zeros"),
+    [
+        ("t, 0.3*t*t + 0.04494*exp(-((t-0.806164)/0.0001057)^2)", "parabola", 4),
+        ("t, t/2 + 0.003*exp(-((t-0.6)/0.00001)^2)", "polygon", 2),
+    ],
+)
+def test_special_points_of_a_bump_on_a_piece_are_found(text, primitive, zeros):
+    # elsewhere the forms are as good as nothing: exp(-10^7)
+    division = divide(osc.curve(text, -1, 1), primitive)
+    assert len(division.splits) - len(division.undecided) == zeros
+    assert len(division.undecided) == 2  # where the bump is told from nothing
+    assert max(division.splits) - min(division.splits) < 0.01
 
 
 def test_a_bump_on_a_straight_line_is_not_straight():
