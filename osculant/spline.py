@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, TypeAlias
 
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.certificates.splines import Certificate, certify
@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     from osculant.files.deviation import Follow
     from osculant.files.drafts import Written
     from osculant.pieces.piece import Box, Floats, PieceLike
+
+
+#: whether a number of pieces is the least
+Minimal: TypeAlias = Literal["proved", "by theory", "unknown"]
 
 
 class CurveText(Protocol):
@@ -55,13 +59,7 @@ class Spline:
             None where there is nothing to choose.
         tolerance: the largest error allowed; for a given number of pieces, what is sure to be kept.
         pieces: the pieces in order; each starts where the one before ends.
-        minimal: whether no spline of this primitive with a knot at every split has fewer pieces within the
-            tolerance less ``reserved`` (for a given number of pieces: a smaller error): "proved", "by theory"
-            (no check of its hypotheses beyond the isolation of special points) or "unknown". In the metric
-            "area" among those of n pieces with areas of at most tolerance/n each. Of bihelices "proved" only
-            where every stretch between split points is one piece: their error is not monotone in the length
-            of the arc. So it is of cubics, whose error was seen to grow with the arc where the residual of
-            six contacts keeps its sign, and to fall elsewhere. Of polygons among inscribed ones.
+        judge: called at most once, when `minimal` is first asked for.
         undecided: parameters of knots where it could not be decided whether theory demands a split.
         bridged: arcs that lie below the tolerance and are passed over, each as (first parameter, last one,
             extent); at an end of the curve the spline has not its tangent there.
@@ -85,7 +83,7 @@ class Spline:
     ... )
     >>> spline = Spline(
     ...     curve=SimpleNamespace(text="t, t**2"), primitive="parabola", metric="hausdorff", rule=None,
-    ...     tolerance=0.1, pieces=pieces, minimal="unknown",
+    ...     tolerance=0.1, pieces=pieces, judge=lambda: "unknown",
     ... )
     >>> len(spline), spline.knots, spline.error, spline.error_kind
     (2, [0.0, 1.0, 2.0], 0.001, 'estimate')
@@ -99,7 +97,7 @@ class Spline:
     rule: str | None
     tolerance: float
     pieces: tuple[PieceLike, ...]
-    minimal: Literal["proved", "by theory", "unknown"]
+    judge: Callable[[], Minimal] = field(compare=False)
     undecided: tuple[float, ...] = ()
     bridged: tuple[tuple[float, float, float], ...] = ()
     splits: tuple[float, ...] = ()
@@ -244,6 +242,18 @@ class Spline:
             object.__setattr__(self, "certificate", proof)  # frozen to all others
             return proof
         return self.certificate
+
+    @cached_property
+    def minimal(self) -> Minimal:
+        """Whether no such spline has fewer pieces, or for a given number of pieces a smaller largest error.
+
+        Such splines are those of the primitive with a knot at every split point, tangent to the curve at
+        their knots (polygons: inscribed), whose pieces lie over strictly convex arcs. "proved" is said where
+        less is impossible; "by theory" if a theorem's hypotheses are proved in ball arithmetic for the arc of
+        every piece, and then the number is as right as the measured errors; else "unknown", as of bihelices,
+        whose errors need not grow with their arcs, and of sums of areas.
+        """
+        return self.judge()
 
     @cached_property
     def _prediction(self) -> Prediction | None:

@@ -67,8 +67,8 @@ def turning(coefficients: Coefficients, low: End, high: End) -> Any:
     from flint import arb
 
     whole = arb(0)
-    before, start = low, _tangent(coefficients, low, 1)
-    pending, cuts = [(high, _tangent(coefficients, high, -1))], 0
+    before, start = low, tangent(coefficients, low, 1)
+    pending, cuts = [(high, tangent(coefficients, high, -1))], 0
     while pending:
         after, end = pending[-1]
         if not _in_a_half_plane(coefficients, before, after):
@@ -76,14 +76,14 @@ def turning(coefficients: Coefficients, low: End, high: End) -> Any:
             if cuts > CUTS:
                 return None
             middle = End(((before.at + after.at) / 2).mid())
-            pending.append((middle, _tangent(coefficients, middle, 1)))
+            pending.append((middle, tangent(coefficients, middle, 1)))
             continue
         whole += arb.atan2(bracket(start, end), dot(start, end))
         before, start = pending.pop()
     return whole
 
 
-def _tangent(coefficients: Coefficients, end: End, side: int) -> Vector:
+def tangent(coefficients: Coefficients, end: End, side: int) -> Vector:
     """A vector in the direction of motion at an end, seen from the arc after (side 1) or before it (−1)."""
     x, y = (row[end.order] for row in coefficients(end.at, end.order))
     sign = side ** (end.order - 1)  # α̇ ~ (t − c)^(order − 1)
@@ -117,34 +117,32 @@ def _meet(one: Any, other: Any) -> Any:
     return one
 
 
-def is_strictly_convex(coefficients: Coefficients, low: End, high: End, most: Any = None) -> bool:
+def is_strictly_convex(coefficients: Coefficients, low: End, high: End, turned: Any) -> bool:
     """Whether an arc without inflection inside is proved to be strictly convex; False if that is open.
 
     Args:
         coefficients: (ball, order) → the Taylor coefficients of both coordinates there.
         low: its beginning.
         high: its end.
-        most: it has to turn by less than this ball, besides; 2π if None.
+        turned: how far it turns, as `turning` says.
 
     >>> from flint import arb
     >>> from osculant.cas.formulas.parser import parse_tuple
     >>> from osculant.cas.jets.balls import CurveBalls
     >>> spiral = CurveBalls(parse_tuple("t*cos(t), t*sin(t)")).coefficients
-    >>> [is_strictly_convex(spiral, End(arb("0.2")), End(arb(b))) for b in ("3.4", "5")]
+    >>> arcs = [(End(arb("0.2")), End(arb(b))) for b in ("3.4", "5")]
+    >>> [is_strictly_convex(spiral, *ends, turning(spiral, *ends)) for ends in arcs]
     [True, False]
     """
     from flint import arb
 
-    turned = turning(coefficients, low, high)
     if turned is None:
         return False
     side = -1 if turned < 0 else 1
-    start, end = _tangent(coefficients, low, 1), _tangent(coefficients, high, -1)
+    start, end = tangent(coefficients, low, 1), tangent(coefficients, high, -1)
     chord = _chord(coefficients, low, high)
     return bool(
-        side * turned < (2 * arb.pi() if most is None else most)
-        and side * bracket(start, chord) > 0
-        and side * bracket(chord, end) > 0
+        side * turned < 2 * arb.pi() and side * bracket(start, chord) > 0 and side * bracket(chord, end) > 0
     )
 
 

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from osculant.approximation.bridging import allowed_extent, flat_enough, width
 from osculant.approximation.closing import closing
 from osculant.approximation.division import chord_of, divide, is_exact
+from osculant.approximation.hypotheses import hold
 from osculant.approximation.prediction import prediction, quick_complexity
 from osculant.approximation.request import requested
 from osculant.approximation.runs import whole_error
 from osculant.cas.errors import DomainError
 from osculant.primitives.table import choose
-from osculant.spline import Prediction, Spline
+from osculant.spline import Minimal, Prediction, Spline
 from osculant.tolerances import FLOOR_ULPS, check_floor, writing_share
 
 if TYPE_CHECKING:
@@ -105,7 +106,7 @@ def approximate_curve(
         tolerance=asked,
         reserved=reserved if count is None else 0.0,
         pieces=tuple(found.pieces()),
-        minimal=_minimal(found, fit, rounding, count is None),
+        judge=lambda: _minimal(curve, found, fit, rounding, count is None),
         undecided=found.division.undecided,
         bridged=found.division.bridged,
         splits=found.division.splits,
@@ -140,9 +141,7 @@ def check_areas(curve: FormulaCurve, size: Extent, fit: Fit) -> None:
         )
 
 
-def _minimal(
-    found: Fitted, fit: Fit, rounding: float, by_tolerance: bool
-) -> Literal["proved", "by theory", "unknown"]:
+def _minimal(curve: FormulaCurve, found: Fitted, fit: Fit, rounding: float, by_tolerance: bool) -> Minimal:
     """Whether the number of pieces, or, if that was given, their error, is the least."""
     division, error = found.division, whole_error(found.runs, 1)
     if by_tolerance and found.count == 1:
@@ -151,12 +150,12 @@ def _minimal(
         return "unknown"
     if by_tolerance and found.count == len(division.stretches):
         return "proved"  # every stretch takes at least one piece
-    if fit.primitive.minimal == "unknown":
-        return "unknown"
     if not by_tolerance and error == 0:
         return "proved"  # no errors are less
+    if fit.theorem is None or (by_tolerance and fit.degree == 2):
+        return "unknown"  # no theorem is about sums of areas
     if not by_tolerance and error < FLOOR_ULPS * rounding:
         return "unknown"  # errors that rounding may have made
     if not found.certain or division.unsplit or any(part.exact for part in found.parts):
         return "unknown"
-    return fit.primitive.minimal
+    return "by theory" if hold(fit.theorem, curve, found) else "unknown"

@@ -32,10 +32,14 @@ Kind = Literal["generic", "level", "segment", "exact", "bridge"]
 
 @dataclass(frozen=True)
 class Frame:
-    """A point of the curve and its unit tangent, at a cusp the limit tangent from the stretch's side."""
+    """A point of the curve and its unit tangent, at a cusp the limit tangent from the stretch's side.
+
+    ``order`` is that of the first derivative which does not vanish there.
+    """
 
     point: Vector
     tangent: Vector
+    order: int = 1
 
 
 @dataclass(frozen=True)
@@ -368,7 +372,7 @@ def _frame(curve: FormulaCurve, point: SpecialPoint, side: int) -> Frame:
             sign = side ** (order - 1)  # α̇ ~ (t − c)^(order − 1)
             # what cannot be told from 0 in balls is 0: its double would be the noise of the last bits
             tangent = tuple(as_float(sign * part / length) for part in parts)
-            return Frame(tuple(as_float(row[0]) for row in rows), tangent)
+            return Frame(tuple(as_float(row[0]) for row in rows), tangent, order)
     raise UndecidedError(
         f"The curve has no tangent at t = {as_float(point.at):.10g} that {CUSP_ORDERS} derivatives could "
         "tell: choose an interval without this point."

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from osculant.primitives.conic import segment
-from osculant.primitives.primitive import Itself, Primitive, user_point
+from osculant.primitives.primitive import Itself, Primitive, Theorem, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
@@ -68,7 +68,7 @@ BIARC = Primitive(
     },
     theory=("vertex",),
     itself=Itself("circle", ("vertex",), lambda exact: exact.circle, turning=2 * math.pi),
-    minimal="by theory",
+    theorems={("hausdorff", "equioscillating"): Theorem("R5.3-9")},
     piece=biarc_piece,
     segment=segment,
     bridge=bridge,

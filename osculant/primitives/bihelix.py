@@ -93,7 +93,7 @@ BIHELIX = Primitive(
     },
     theory=("vertex",),
     itself=Itself("helix", ("vertex", "slope"), lambda exact: exact.circular_helix, turning=2 * math.pi),
-    minimal="unknown",
+    theorems={},
     piece=bihelix_piece,
     segment=segment,
     bridge=bridge,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from osculant.primitives.primitive import Itself, Method, Primitive, user_point
+from osculant.primitives.primitive import Itself, Method, Primitive, Theorem, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.conics.records import Row
@@ -45,6 +45,11 @@ def _arc(row: Row, place: Place, error: float, kind: ConicKind, weight: float) -
     return Piece(kind, (row.a, row.b), start, end, middle, weight, error)
 
 
+def member(values: Floats) -> float:
+    """Q of a row of the kernels' table."""
+    return _row(values).q
+
+
 def segment(interval: tuple[float, float], start: Point, end: Point) -> Piece:
     """The straight piece between two points."""
     from osculant.pieces.conics import Piece
@@ -81,7 +86,7 @@ PARABOLA = Primitive(
     },
     theory=("parabolic",),
     itself=Itself("conic", ("parabolic",), lambda exact: exact.parabola, turning=math.pi),
-    minimal="by theory",
+    theorems={("hausdorff", "bitangent"): Theorem("remark 3.3.5", half_turns=1, member=member)},
     piece=parabola_piece,
     segment=segment,
     bridge=bridge,
@@ -101,7 +106,11 @@ CONIC = Primitive(
     },
     theory=("sextactic",),
     itself=Itself("conic", ("sextactic",), lambda exact: exact.conic, turning=math.pi),
-    minimal="by theory",
+    theorems={
+        ("hausdorff", "equioscillating"): Theorem("proposition 3.3.4", member=member),
+        ("area", "equisymmetric"): Theorem("X3.4-4"),
+        ("area", "minimal-area"): Theorem("X3.4-5"),
+    },
     piece=conic_piece,
     segment=segment,
     bridge=bridge,

@@ -71,7 +71,7 @@ CUBIC = Primitive(
     itself=None,
     # where D keeps its sign and the number of cubics with six contacts does not change, no longer arc of
     # thousands had a smaller error; elsewhere errors do fall: an observation, no proof
-    minimal="unknown",
+    theorems={},
     piece=cubic_piece,
     segment=segment,
     bridge=bridge,

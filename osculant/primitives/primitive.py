@@ -42,6 +42,24 @@ class Itself:
 
 
 @dataclass(frozen=True)
+class Theorem:
+    """Why no spline has fewer pieces than the greedy one, or a smaller largest error for their number.
+
+    It speaks of splines with knots at the split points whose pieces lie over strictly convex arcs.
+
+    Attributes:
+        claim: the one that says that an error grows with its arc.
+        half_turns: the arcs turn by less than so many times π.
+        member: (row of the kernel's table) → Q of the piece in the pencil of its arc, where errors are
+            distances along normals, which have to meet it first on its own side; None if they are not.
+    """
+
+    claim: str
+    half_turns: int = 2
+    member: Callable[[Floats], float] | None = None
+
+
+@dataclass(frozen=True)
 class Primitive:
     """A kind of pieces for the curves of one dimension.
 
@@ -57,7 +75,8 @@ class Primitive:
         itself: of curves that are arcs of the primitive; None if only straight lines are.
         monotone: whether an error grows with the arc, away from the points above.
         few: where it need not, one piece less is sought for so many, at most, that the search finds.
-        minimal: what is claimed of the least number of pieces that the search finds.
+        theorems: by metric and rule, why the number of pieces that the search finds is the least; where
+            there is none, nothing says so.
         smooth: whether pieces meet with a common tangent; others are no candidates for the best.
         fewest: what is said beside the number of pieces where they do not, as "fewest" means other splines.
         bridge: (interval, frame, frame, error) → small pieces from one frame to another, whatever the curve
@@ -73,7 +92,7 @@ class Primitive:
     methods: Mapping[str, Mapping[str, Method]]
     theory: tuple[str, ...]
     itself: Itself | None
-    minimal: Literal["by theory", "unknown"]
+    theorems: Mapping[tuple[str, str], Theorem]
     piece: Callable[[Floats, Any, float], Any]
     segment: Callable[[tuple[float, float], Any, Any], Any]
     splits: tuple[str, ...] = ("inflection",)
@@ -112,6 +131,11 @@ class Fit:
 
         name = self.primitive.name
         return law_of(f"level {name}" if kind == "level" else name, self.metric)
+
+    @property
+    def theorem(self) -> Theorem | None:
+        """Why the number of pieces that the search finds is the least; None if nothing says so."""
+        return self.primitive.theorems.get((self.metric, self.rule))
 
     @property
     def order(self) -> int:

@@ -28,7 +28,7 @@ def spline_of(pieces, *, text="x(t), y(t)", primitive="conic", tolerance=1e-6, p
         rule=None,
         tolerance=tolerance,
         pieces=tuple(pieces),
-        minimal="by theory",
+        judge=lambda: "by theory",
         predict=predict,
     )
 
