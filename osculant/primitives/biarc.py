@@ -68,7 +68,7 @@ BIARC = Primitive(
     },
     theory=("vertex",),
     itself=Itself("circle", ("vertex",), lambda exact: exact.circle, turning=2 * math.pi),
-    theorems={("hausdorff", "equioscillating"): Theorem("R5.3-9")},
+    theorems={("hausdorff", "equioscillating"): Theorem("X5.3-7")},
     piece=biarc_piece,
     segment=segment,
     bridge=bridge,

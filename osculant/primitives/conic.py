@@ -107,8 +107,8 @@ CONIC = Primitive(
     theory=("sextactic",),
     itself=Itself("conic", ("sextactic",), lambda exact: exact.conic, turning=math.pi),
     theorems={
-        ("hausdorff", "equioscillating"): Theorem("proposition 3.3.4", member=member),
-        ("area", "equisymmetric"): Theorem("X3.4-4"),
+        ("hausdorff", "equioscillating"): Theorem("X3.3-6", member=member),
+        ("area", "equisymmetric"): Theorem("proposition 3.4.2"),
         ("area", "minimal-area"): Theorem("X3.4-5"),
     },
     piece=conic_piece,

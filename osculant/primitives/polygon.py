@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from osculant.primitives import bihelix, conic
-from osculant.primitives.primitive import Primitive, user_point
+from osculant.primitives.primitive import Primitive, Theorem, user_point
 
 if TYPE_CHECKING:
     from osculant.kernels.curves import plane, space
@@ -82,7 +82,7 @@ POLYGON = Primitive(
     methods={"hausdorff": {"inscribed": chord}, "area": {"inscribed": chord_area}},
     theory=(),
     itself=None,
-    theorems={},
+    theorems={("hausdorff", "inscribed"): Theorem("X3.1-2")},
     piece=plane_piece,
     segment=conic.segment,
     bridge=bridge,

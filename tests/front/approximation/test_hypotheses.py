@@ -4,6 +4,7 @@ import pytest
 
 import osculant as osc
 from osculant.cas.claims import all_claims
+from osculant.cas.claims.claim import Method
 from osculant.primitives.table import PRIMITIVES
 
 SPIRAL = "t*cos(t), t*sin(t)"
@@ -62,4 +63,4 @@ def test_every_theorem_is_a_claim_that_is_a_proof():
     for primitive in (entry for by_name in PRIMITIVES.values() for entry in by_name.values()):
         for (metric, rule), theorem in primitive.theorems.items():
             assert rule in primitive.rules(metric)
-            assert table[theorem.claim].method == "proof"
+            assert table[theorem.claim].method == Method.PROOF

@@ -46,7 +46,7 @@ def test_counts_on_the_spiral(tolerance, theory):
     spline = osc.approximate(curve, "polygon", tolerance)
     assert spline.predicted == pytest.approx(theory, abs=0.06)
     assert len(spline) == math.ceil(spline.predicted) == spline.predicted_pieces
-    assert spline.minimal == "unknown" and spline.rule == "inscribed" and not spline.splits
+    assert spline.minimal == "by theory" and spline.rule == "inscribed" and not spline.splits
     check(curve, spline)
 
 
