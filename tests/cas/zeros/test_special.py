@@ -136,7 +136,7 @@ def test_zeros_close_together_are_told_apart():
 
 
 def test_a_zero_that_is_missed_by_little_is_never_a_decided_zero():
-    for small, decided in ((10**-18, True), (10**-24, False)):
+    for small, decided in ((10**-18, True), (10**-24, True), (10**-42, False)):
         gap = sp.Rational(f"{small:.0e}")
         found = points(
             graph_of(sp.expand((X - sp.Rational(1, 3)) ** 2 + gap)), "0", "2", ("cusp", "inflection")
