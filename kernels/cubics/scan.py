@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from osculant.kernels.course import spot, spots
-from osculant.kernels.cubics.arms import Ends, Seen, goes_along, see
+from osculant.kernels.cubics.arms import BEYOND, Ends, Seen, goes_along, see
 from osculant.kernels.cubics.roots import COLUMNS as POLYNOMIAL
 from osculant.kernels.cubics.starts import MOST
 from osculant.kernels.curves.peaks import MARGIN, cubic_peak
@@ -90,7 +90,7 @@ def trace(ends: Ends, a0: float, a3: float, samples: np.ndarray[Any, Any], count
     for i in range(count):
         row = samples[i]
         seen = see(ends, a0, a3, at_row(row), foot)
-        if not (seen.foot > foot or (i == 0 and seen.foot >= 0.0)):
+        if not seen.foot > foot - BEYOND:  # beside a cusp many samples share one foot
             return False
         if not goes_along(ends, a0, a3, foot, seen.foot, row[2], row[3]):
             return False

@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from osculant.approximation.division import divide
-from osculant.cas.errors import DomainError
+from osculant.cas.errors import DomainError, UndecidedError
 from osculant.primitives.table import choose
 from osculant.spline import Prediction
 from osculant.tolerances import checked_tolerance
@@ -254,9 +254,11 @@ def quick_complexity(
         if stretch.kind == "generic":
             power = fit.order / order  # of the content that C is
             arguments = fit.record(fit.order), jet.address, scale, stretch.a, stretch.b
-            # beside cusps rounding hides which value is the least: nine digits would take seconds of balls
+            # beside cusps rounding hides which value is the least: nine digits would take balls minutes
             integral = predicted if fit.law().branch is None else predicted_roughly
             constant = integral(*arguments) ** power
+            if math.isnan(constant) and fit.law().branch is not None:
+                raise UndecidedError("The predicted number of pieces did not settle in doubles.")
         # N = C ε^{−1/order} has no unit: the constant of the scaled curve belongs to the scaled tolerance
         constant *= scale ** (-fit.degree / order)
         if math.isnan(constant):  # rounding beside a singular end: balls know better
