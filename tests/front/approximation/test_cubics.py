@@ -276,7 +276,8 @@ RANDOM = [case for case in map(draw, range(60)) if case.text.count(",") == 1 and
 @pytest.fixture(scope="module")
 def compiled():
     """Kernels are compiled before times are taken."""
-    return osc.approximate(osc.curve("t, t^2 + t^3 + t^4", 1, 2), "cubic", 1e-6)
+    curve = osc.curve("t, t^2 + t^3 + t^4", 1, 2)
+    return osc.approximate(curve, "cubic", 1e-6).predicted, osc.approximate(curve, "cubic", pieces=3)
 
 
 @pytest.mark.parametrize(
