@@ -21,6 +21,7 @@ from osculant.cas.numbers.balls import PRECISION, FormulaBalls, ball, constant, 
 from osculant.cas.numbers.parts import polynomial_parts
 from osculant.cas.zeros.isolate import (
     SMALLEST,
+    WORK_LIMIT,
     Box,
     Decide,
     Isolation,
@@ -143,15 +144,18 @@ class FormZeros(Generic[Jet]):
             if infinite is not None:
                 raise DomainError(undefined(self.curve, *infinite, (low, high)))
 
-    def within(self, low: Node, high: Node, names: Sequence[str]) -> list[SpecialPoint]:
+    def within(
+        self, low: Node, high: Node, names: Sequence[str], limit: int = WORK_LIMIT
+    ) -> list[SpecialPoint]:
         """The zeros of the named forms in [low, high], in order, merged where they coincide.
 
         Points at the ends are reported too. The curve has to be finite there: see `require_finite`.
+        After ``limit`` boxes what is left is undecided.
         """
         with precision(PRECISION):
             a, b = constant(low), constant(high)
             multiple = _MultipleZeros(self, (low, high))
-            found, ends = self._isolated(multiple, names, a, b)
+            found, ends = self._isolated(multiple, names, a, b, limit)
             points = self._simple(found) + multiple.points + ends
             known = [point.at for point in points]
             small = (b - a) * NEAR * arb(2) ** -SMALLEST
@@ -165,7 +169,7 @@ class FormZeros(Generic[Jet]):
             return merged(points, b - a)
 
     def _isolated(
-        self, decide: Decide, names: Sequence[str], low: Any, high: Any
+        self, decide: Decide, names: Sequence[str], low: Any, high: Any, limit: int
     ) -> tuple[Isolation, list[SpecialPoint]]:
         """`isolate`, and the ends of where a form is as good as nothing, which is left out.
 
@@ -173,12 +177,12 @@ class FormZeros(Generic[Jet]):
         """
         flat = [name for name in names if self._is_flat(name, low, high)]
         others = [name for name in names if name not in flat]
-        found = isolate(self.evaluate, decide, others, low, high)
+        found = isolate(self.evaluate, decide, others, low, high, limit)
         ends: list[SpecialPoint] = []
         for name in flat:
             found.brackets[name] = []
             for start, end in self._told(name, low, high):
-                part = isolate(self.evaluate, decide, [name], start, end)
+                part = isolate(self.evaluate, decide, [name], start, end, limit)
                 found.brackets[name] += part.brackets[name]
                 found.unresolved += part.unresolved
                 inside = [at for at in (start, end) if at > low and at < high]

@@ -97,17 +97,19 @@ def first_infinite(evaluate: Evaluate, names: Sequence[str], low: Any, high: Any
     )
 
 
-def isolate(evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, high: Any) -> Isolation:
+def isolate(
+    evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, high: Any, limit: int = WORK_LIMIT
+) -> Isolation:
     """Isolate the zeros of the named functions on [low, high], where all of them are finite.
 
     Brackets of simple zeros have ends where the sign is certain, or the end of the whole interval.
     ``decide(name, low, high)`` may settle what happens on a small interval; it then returns an interval
-    on which nothing is left to do for that function.
+    on which nothing is left to do for that function.  After ``limit`` boxes the open ones are unresolved.
     """
     found = Isolation({name: [] for name in names})
     size = high - low
     queue = deque([Box(low, high, tuple(names))])  # wide ones first: a hard place must not starve the others
-    for _ in range(WORK_LIMIT):
+    for _ in range(limit):
         if not queue:
             return found
         box = queue.popleft()

@@ -14,21 +14,24 @@ if TYPE_CHECKING:
     from osculant.cas.zeros.form_zeros import SpecialPoint
     from osculant.curves.curve import FormulaCurve
 
-#: of each kind of points, the form over jets and the derivatives that it takes
+#: of each kind of points, the form over jets and the derivatives that it takes; cusps are told by the
+#: coordinates' derivatives themselves
 FORMS = {
     2: {
-        "cusp": ("speed_squared", 1),
         "inflection": ("inflection_form", 2),
         "parabolic": ("parabolic_form", 4),
         "sextactic": ("sextactic_form", 5),
         "vertex": ("curvature_slope_form", 3),
     },
     3: {
-        "cusp": ("speed_squared", 1),
         "inflection": ("inflection_form", 2),
         "vertex": ("curvature_slope_form", 3),
     },
 }
+
+
+#: boxes in which the zeros of one factor are sought, so that the attempt costs little where it fails
+LIMIT = 1000
 
 
 def from_factors(curve: FormulaCurve, name: str) -> list[SpecialPoint] | None:
@@ -63,7 +66,7 @@ def _zeros(curve: FormulaCurve, factor: Node, name: str) -> list[SpecialPoint]:
         return values[0]
 
     balls: FormulaBalls[Any] = FormulaBalls([factor], first)
-    return FormZeros(balls, {name: ZeroForm(lambda value: value, 0)}).within(*curve.ends, [name])
+    return FormZeros(balls, {name: ZeroForm(lambda value: value, 0)}).within(*curve.ends, [name], LIMIT)
 
 
 def together(curve: FormulaCurve, names: Sequence[str], others: Any) -> list[SpecialPoint]:
