@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import Node
-from osculant.cas.numbers.algebraic import Algebraic
+
+if TYPE_CHECKING:
+    from osculant.cas.numbers.algebraic import Algebraic
 
 #: the metrics, and the dimension of an error in each: 1 for a length, 2 for an area
 METRICS = {"hausdorff": 1, "area": 2}
@@ -57,14 +59,14 @@ class Law:
         from osculant.cas.numbers.balls import constant
 
         c = self.constant()
-        return c.ball() if isinstance(c, Algebraic) else constant(c)
+        return constant(c) if isinstance(c, Node) else c.ball()
 
     def exact(self) -> Any:
         """c as a number of sympy's."""
         from osculant.cas.formulas.sympy_bridge import to_sympy
 
         c = self.constant()
-        return c.number() if isinstance(c, Algebraic) else to_sympy(c)
+        return to_sympy(c) if isinstance(c, Node) else c.number()
 
     def density(self, jet: Any, constant: Any) -> Any:
         """(c·J)^{1/p} |α̇| at a jet of balls, c being given as a ball: what a number of pieces integrates."""

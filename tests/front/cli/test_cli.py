@@ -109,7 +109,10 @@ MISTAKES = {
     "tolerance text": ([*CUBIC, "--tolerance", "fine"], "'fine' is not a number"),
     "tolerance tiny": ([*CUBIC, "--tolerance", "1e-15"], r"floor 2\.22e-13"),
     "floor far away": ([*interval("t+1e6, t^3"), "--tolerance", "1e-9"], r"floor 1\.16e-07"),
-    "unknown primitive": ([*CUBIC, "--with", "cubic"], "'cubic' is unknown: choose one of parabola, conic"),
+    "unknown primitive": ([*CUBIC, "--with", "quartic"], "'quartic' is unknown: choose one of parabola"),
+        [*CUBIC, "--with", "quartic"],
+        "'quartic' is unknown: choose one of parabola, conic",
+    ),
     "split outside": ([*CUBIC, "--split-at", "2"], "split point 2 "),
     "split at the end": ([*CUBIC, "--split-at", "1"], "split point 1 "),
     "split no number": ([*CUBIC, "--split-at", "t/2"], "'t'"),
@@ -181,7 +184,9 @@ def test_outputs_are_refused_before_the_work(options, says, tmp_path, capsys, mo
     (tmp_path / "file").write_text("")
     (tmp_path / "folder.svg").mkdir()
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("osculant.api.approximate", lambda *_, **__: pytest.fail("worked"))
+    for name in ("approximate_curve", "Spline"):  # what searches, under the checks of files
+        where = "for_files" if name == "approximate_curve" else "approximate"
+        monkeypatch.setattr(f"osculant.approximation.{where}.{name}", lambda *_, **__: pytest.fail("worked"))
     before = sorted(tmp_path.rglob("*"))
     assert main([*CUBIC, *options]) == 2
     output = capsys.readouterr()
