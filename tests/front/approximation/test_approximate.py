@@ -55,7 +55,8 @@ def check_spline(spline, sample=12):
         slack = 64 * math.ulp(largest) if piece.error else 1e-11 * largest  # golden section, at cusps
         assert distance <= piece.error * (1 + 1e-5) + slack
         bends = curve.tabulate(np.linspace(*piece.interval, 200))["curvature"]
-        if np.nanmax(np.abs(bends)) * tolerance < 0.5:  # else normals meet, and the error is an upper bound
+        # where normals meet, or an arc is passed over, the error is an upper bound
+        if np.nanmax(np.abs(bends)) * tolerance < 0.5 and not spline.bridged:
             assert distance == pytest.approx(piece.error, rel=1e-5, abs=slack)
 
 
