@@ -21,7 +21,6 @@ from osculant.cas.numbers.balls import PRECISION, FormulaBalls, ball, constant, 
 from osculant.cas.numbers.parts import polynomial_parts
 from osculant.cas.zeros.isolate import (
     SMALLEST,
-    WORK_LIMIT,
     Box,
     Decide,
     Isolation,
@@ -145,12 +144,12 @@ class FormZeros(Generic[Jet]):
                 raise DomainError(undefined(self.curve, *infinite, (low, high)))
 
     def within(
-        self, low: Node, high: Node, names: Sequence[str], limit: int = WORK_LIMIT
+        self, low: Node, high: Node, names: Sequence[str], limit: int | None = None
     ) -> list[SpecialPoint]:
         """The zeros of the named forms in [low, high], in order, merged where they coincide.
 
         Points at the ends are reported too. The curve has to be finite there: see `require_finite`.
-        After ``limit`` boxes what is left is undecided.
+        After ``limit`` boxes, by default `isolate.WORK_LIMIT`, what is left is undecided.
         """
         with precision(PRECISION):
             a, b = constant(low), constant(high)
@@ -169,7 +168,7 @@ class FormZeros(Generic[Jet]):
             return merged(points, b - a)
 
     def _isolated(
-        self, decide: Decide, names: Sequence[str], low: Any, high: Any, limit: int
+        self, decide: Decide, names: Sequence[str], low: Any, high: Any, limit: int | None
     ) -> tuple[Isolation, list[SpecialPoint]]:
         """`isolate`, and the ends of where a form is as good as nothing, which is left out.
 

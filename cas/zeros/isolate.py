@@ -21,7 +21,7 @@ from osculant.cas.numbers.balls import ball
 #: intervals are divided here, not in the middle, where formulas like to have their special points
 CUT = 0.48713
 #: intervals looked at before all open ones are given back as unresolved
-WORK_LIMIT = 6_000
+WORK_LIMIT = 8_000
 #: the smallest width, in parts of the whole interval, as a power of two
 SMALLEST = 60
 
@@ -98,18 +98,19 @@ def first_infinite(evaluate: Evaluate, names: Sequence[str], low: Any, high: Any
 
 
 def isolate(
-    evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, high: Any, limit: int = WORK_LIMIT
+    evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, high: Any, limit: int | None = None
 ) -> Isolation:
     """Isolate the zeros of the named functions on [low, high], where all of them are finite.
 
     Brackets of simple zeros have ends where the sign is certain, or the end of the whole interval.
     ``decide(name, low, high)`` may settle what happens on a small interval; it then returns an interval
-    on which nothing is left to do for that function.  After ``limit`` boxes the open ones are unresolved.
+    on which nothing is left to do for that function.  After ``limit`` boxes, by default `WORK_LIMIT`, the
+    open ones are unresolved.
     """
     found = Isolation({name: [] for name in names})
     size = high - low
     queue = deque([Box(low, high, tuple(names))])  # wide ones first: a hard place must not starve the others
-    for _ in range(limit):
+    for _ in range(WORK_LIMIT if limit is None else limit):
         if not queue:
             return found
         box = queue.popleft()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from osculant.approximation.bridging import allowed_extent, flat_enough, width
@@ -64,15 +65,15 @@ def approximate_curve(
     # what the curve is exactly is better than its chord
     off = math.inf if is_exact(curve, primitive) else width(curve)
 
-    def fitted(stuck: Sequence[float]) -> Fitted:
-        """The pieces, with arcs at the places where the search was stuck passed over."""
+    def fitted(stuck: Sequence[float] | None) -> Fitted:
+        """The pieces, with small arcs passed over, also where the search was stuck; None: without that."""
         level = allowed if count is None else FLOOR_ULPS * rounding
-        passed_over = allowed_extent(level, fit.degree)
+        passed_over = 0.0 if stuck is None else allowed_extent(level, fit.degree)
         flat = passed_over if stuck and fit.degree == 1 else flat_enough(level, fit.degree, size.size)
         if closed_how == "open" and not split_at and count is None and off <= flat:
             division = chord_of(curve, off)
         else:
-            division = divide(curve, primitive, split_at, closed_how, split, passed_over, stuck)
+            division = divide(curve, primitive, split_at, closed_how, split, passed_over, stuck or ())
         fitting = Fitting(curve, fit, division, size, allowed if count is None else None)
         if count is not None:
             return fitting.for_number(count)
@@ -118,8 +119,11 @@ def approximate_curve(
     )
 
 
-def _unstuck(fitted: Callable[[Sequence[float]], Fitted]) -> Fitted:
-    """What is found once small arcs are passed over wherever the search is stuck, often but not forever."""
+def _unstuck(fitted: Callable[[Sequence[float] | None], Fitted]) -> Fitted:
+    """What is found once small arcs are passed over wherever the search is stuck, often but not forever.
+
+    Where it is stuck only because an arc at an end is passed over, nothing is.
+    """
     from osculant.approximation.runs import StuckError
 
     places: list[float] = []
@@ -129,6 +133,9 @@ def _unstuck(fitted: Callable[[Sequence[float]], Fitted]) -> Fitted:
         except StuckError as error:
             if error.at in places or len(places) == MOST_STUCK:
                 raise
+            if not places:
+                with suppress(StuckError):
+                    return fitted(None)
             places.append(error.at)
 
 

@@ -14,16 +14,17 @@ if TYPE_CHECKING:
     from osculant.cas.zeros.form_zeros import SpecialPoint
     from osculant.curves.curve import FormulaCurve
 
-#: of each kind of points, the form over jets and the derivatives that it takes; cusps are told by the
-#: coordinates' derivatives themselves
+#: of each kind of points, the form over jets and the derivatives that it takes
 FORMS = {
     2: {
+        "cusp": ("speed_squared", 1),
         "inflection": ("inflection_form", 2),
         "parabolic": ("parabolic_form", 4),
         "sextactic": ("sextactic_form", 5),
         "vertex": ("curvature_slope_form", 3),
     },
     3: {
+        "cusp": ("speed_squared", 1),
         "inflection": ("inflection_form", 2),
         "vertex": ("curvature_slope_form", 3),
     },
@@ -31,7 +32,7 @@ FORMS = {
 
 
 #: boxes in which the zeros of one factor are sought, so that the attempt costs little where it fails
-LIMIT = 1000
+LIMIT = 2500
 
 
 def from_factors(curve: FormulaCurve, name: str) -> list[SpecialPoint] | None:

@@ -46,6 +46,8 @@ BELOW = 0.999
 #: of a last unit, how far a tilted helix may be moved
 TILT = 0.1
 STRAIGHT = 1e5  # the radius of arcs written as chords, relative to the larger extent of the spline
+#: arcs of a smaller radius, in units of the last decimal, are chords: their rounded centres are nowhere near
+TINY = 1.5
 
 
 def gcode(
@@ -226,7 +228,7 @@ def _turn(
 ) -> bool:
     """Move along an arc, by chords if it is too straight or too small; returns whether it is so."""
     smallest, largest = radii
-    if smallest <= arc.radius <= largest:
+    if max(smallest, TINY * 10.0**-program.decimals) <= arc.radius <= largest:
         program.turn(arc, span, tangent)
         return False
     program.chords(arc.point, chords_needed(arc.chord_square, _room(room, program)), span)

@@ -171,9 +171,10 @@ def test_json_has_the_promised_keys_and_exact_numbers(arcs, tmp_path):
     arcs.write(path)
     data = json.loads(path.read_text())
     assert list(data) == [
-        "curve", "primitive", "rule", "closed", "split", "given", "gap", "choice", "metric", "tolerance",
-        "reserved", "pieces", "arcs", "knots", "error", "error_kind", "errors", "predicted",
-        "predicted_pieces", "predicted_error", "minimal", "undecided", "splits", "cusps", "segments",
+        "curve", "primitive", "rule", "closed", "corner", "split", "given", "gap", "choice", "metric",
+        "tolerance", "reserved", "pieces", "arcs", "knots", "error", "error_kind", "errors", "predicted",
+        "predicted_pieces", "predicted_error", "minimal", "undecided", "bridged", "max_tangent_jump",
+        "splits", "cusps", "segments",
         "certificate",
     ]  # fmt: skip
     assert (data["pieces"], data["knots"], data["certificate"]) == (4, arcs.knots, None)

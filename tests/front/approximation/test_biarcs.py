@@ -192,7 +192,7 @@ def test_a_tolerance_larger_than_the_curve_is_met_by_measured_errors():
 
 
 def test_no_piece_turns_by_a_half_turn():
-    spline = osc.approximate(osc.curve("t*cos(t), t*sin(t)", "1", "20"), "biarc", 50.0)
+    spline = osc.approximate(osc.curve("t*cos(t), t*sin(t)", "1", "20"), "biarc", 4.0)
     assert spline.minimal == "unknown"  # turning ended the pieces, not the tolerance
     for piece in spline.pieces:
         a, b = piece.interval

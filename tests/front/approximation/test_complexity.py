@@ -146,6 +146,10 @@ def test_quick_constants(metric, primitive, formula, scale):
     curve = osc.curve(*formula)
     division = divide(curve, primitive)
     least = (1,) * len(division.stretches)
+    if primitive == "cubic" and formula[0] == "t, t^3":  # a cubic itself: doubles tell no constant from 0
+        with pytest.raises(osc.UndecidedError):
+            quick_complexity(curve, choose(primitive, metric), division, least, scale)
+        return
     quick = quick_complexity(curve, choose(primitive, metric), division, least, scale)
     exact = osc.complexity(curve, primitive, metric=metric)
     assert quick.constant == pytest.approx(exact.constant, rel=1e-9)

@@ -62,12 +62,16 @@ def check(curve, spline, rel=1e-3):
     coordinate = max(abs(side) for corner in spline.bounding_box() for side in corner)
     assert spline.max_tangent_jump() < 1e-9
     for piece in spline.pieces:
-        assert piece.kind == "cubic" and len(piece.arcs) == 1
+        assert piece.kind in ("cubic", "segment") and len(piece.arcs) == 1
         one, other = polygons(curve, piece)
         found = max(away(one, other), away(other, one))
         # chords of the two polygons leave their curves by the square of the step
         chords = 4 * np.ptp(other, axis=0).max() / len(one) ** 2 * 10
-        assert found == pytest.approx(piece.error, rel=rel, abs=chords + 1e-14 * coordinate + 1e-15 * size)
+        slack = chords + 1e-14 * coordinate + 1e-15 * size
+        if piece.kind == "segment":  # a curve that is its chord, to within a bound
+            assert found <= piece.error * (1 + rel) + slack
+            continue
+        assert found == pytest.approx(piece.error, rel=rel, abs=slack)
 
 
 @pytest.mark.parametrize("name", CURVES)

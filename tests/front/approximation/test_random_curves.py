@@ -68,17 +68,17 @@ def test_features_between_samples(text, low, high, primitive, tolerance):
 
 
 @pytest.mark.parametrize(
-    ("text", "primitive", "zeros"),
+    ("text", "primitive", "zeros", "open_points"),
     [
-        ("t, 0.3*t*t + 0.04494*exp(-((t-0.806164)/0.0001057)^2)", "parabola", 4),
-        ("t, t/2 + 0.003*exp(-((t-0.6)/0.00001)^2)", "polygon", 2),
+        ("t, 0.3*t*t + 0.04494*exp(-((t-0.806164)/0.0001057)^2)", "parabola", 4, 2),
+        ("t, t/2 + 0.003*exp(-((t-0.6)/0.00001)^2)", "polygon", 2, 0),  # from the factors of the form
     ],
 )
-def test_special_points_of_a_bump_on_a_piece_are_found(text, primitive, zeros):
+def test_special_points_of_a_bump_on_a_piece_are_found(text, primitive, zeros, open_points):
     # elsewhere the forms are as good as nothing: exp(-10^7)
     division = divide(osc.curve(text, -1, 1), primitive)
     assert len(division.splits) - len(division.undecided) == zeros
-    assert len(division.undecided) == 2  # where the bump is told from nothing
+    assert len(division.undecided) == open_points  # where the bump is told from nothing
     assert max(division.splits) - min(division.splits) < 0.01
 
 

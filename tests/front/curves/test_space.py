@@ -135,7 +135,7 @@ def test_reports(capsys):
     assert "torsion                      tau = (t**2 + 6)/(t**4 + 5*t**2 + 8)" in shown
     assert r"\tau = \frac{t^{2} + 6}{t^{4} + 5 t^{2} + 8}" in shown
     assert "torsion                      tau = 0.5\n" in shown
-    print_spline(osc.approximate(curve, tolerance=1e-3), 0.1, ["a.json"])
+    print_spline(osc.approximate(curve, tolerance=1e-3), 0.1, [])
     assert "rule          equioscillating\n" in capsys.readouterr().out
 
 
