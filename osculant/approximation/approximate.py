@@ -62,15 +62,16 @@ def approximate_curve(
         check_floor(allowed, rounding, size.largest)
     # a search for the best beginning takes errors that are monotone
     closed_how = closing(curve, closed, seam=not fit.primitive.monotone)
-    # what the curve is exactly is better than its chord
-    off = math.inf if is_exact(curve, primitive) else width(curve)
 
     def fitted(stuck: Sequence[float] | None) -> Fitted:
         """The pieces, with small arcs passed over, also where the search was stuck; None: without that."""
         level = allowed if count is None else FLOOR_ULPS * rounding
         passed_over = 0.0 if stuck is None else allowed_extent(level, fit.degree)
         flat = passed_over if stuck and fit.degree == 1 else flat_enough(level, fit.degree, size.size)
-        if closed_how == "open" and not split_at and count is None and off <= flat:
+        off = math.inf
+        if closed_how == "open" and not split_at and count is None and not is_exact(curve, primitive):
+            off = width(curve, flat)  # what the curve is exactly is better than its chord
+        if off <= flat:
             division = chord_of(curve, off)
         else:
             division = divide(curve, primitive, split_at, closed_how, split, passed_over, stuck or ())

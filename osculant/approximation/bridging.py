@@ -35,6 +35,8 @@ STRAIGHT = 0.02
 HOOK, NEXT = 0.02, 2.0**-9
 #: boxes in which an arc is enclosed, and a curve that may be flat, and the terms of the Taylor forms there
 BOXES, FLAT_BOXES, TERMS = 8, 64, 6
+#: where a curve is looked at first, in parts of its interval
+PROBES = (0.25, 0.5, 0.75)
 #: bisections that find where an arc that is passed over begins and ends
 HALVINGS = 60
 
@@ -178,8 +180,10 @@ def _reach(curve: FormulaCurve, low: Any, high: Any, most: float) -> float:
     return size if size <= most else math.inf
 
 
-def width(curve: FormulaCurve) -> float:
+def width(curve: FormulaCurve, most: float = math.inf) -> float:
     """A bound of the curve's distance from its chord, and of the way that it runs back along that, together.
+
+    It is infinite if a few points are seen to be farther than ``most`` from the chord.
 
     >>> from osculant.curves.plane import PlaneCurve
     >>> 0.0009 < width(PlaneCurve("t, t*(1-t)*4e-3", 0, 1)) < 0.0011, width(PlaneCurve("t^2, t", -1, 1)) >= 1
@@ -204,6 +208,10 @@ def width(curve: FormulaCurve) -> float:
             return [ahead, *([c - u * a for c, a in zip(row, ahead)] for u, row in zip(along, rows))]
 
         first = split([[part] for part in start])[1:]
+        for part in PROBES:
+            rows = curve.balls.coefficients(low + (high - low) * part, 0)
+            if sum(((at - origin) ** 2 for [at], [origin] in zip(split(rows)[1:], first)), arb(0)) > most**2:
+                return math.inf
         for (_, *across), (slope, *_) in _boxes(curve, low, high, FLAT_BOXES, split):
             back += (-slope).nonnegative_part().upper() * (high - low) / FLAT_BOXES
             apart = [part - origin for part, [origin] in zip(across, first)]
