@@ -8,8 +8,7 @@ from typing import Any
 
 from flint import arb
 
-#: steps of a foot of a perpendicular, and the change of its parameter that ends them
-STEPS, SETTLED = 60, 1e-17
+from osculant.cas.geometry.feet import foot_between
 
 Pair = tuple[float, float]
 
@@ -65,28 +64,20 @@ class ConicArc:
     def foot(self, point: Pair, low: float, high: float) -> float:
         """About where the distance from P₀ + ``point`` is least between two parameters.
 
-        Where ⟨p − X(v), X′(v)⟩ changes sign, by Newton's method without the curvature's part, or bisection.
-
         >>> ConicArc((0.0, 0.0), (1.0, 0.0), (2.0, 0.0), 1.0).foot((0.5, 7.0), 0.0, 1.0)
         0.25
         """
         w, (a, c) = self.weight, self._rounded
-        v = (low + high) / 2
-        for _ in range(STEPS):
+
+        def along(v: float) -> tuple[float, float]:
             r = 1 - v
             total = (r - v) ** 2 + (1 + w) * 2 * r * v
             # X′ = 2(r²A + rvC + v²B)/W² with B = wC − A
             dx, dy = (2 * ((r * r - v * v) * a[i] + (r * v + v * v * w) * c[i]) / total**2 for i in (0, 1))
             x, y = (point[i] - (2 * v * r * a[i] + v * v * c[i]) / total for i in (0, 1))
-            ahead, speed = x * dx + y * dy, dx * dx + dy * dy
-            low, high = (v, high) if ahead > 0 else (low, v)
-            new = v + ahead / speed if speed > 0 else low
-            if not low <= new <= high:
-                new = (low + high) / 2
-            if abs(new - v) <= SETTLED or not high > low:
-                return new
-            v = new
-        return v
+            return x * dx + y * dy, dx * dx + dy * dy
+
+        return foot_between(along, low, high)
 
     def near_ends(self, beyond: Any) -> Any:
         """A bound of |X(v) − P₀| for |v| ≤ beyond, and of |X(v) − P₂| for |v − 1| ≤ beyond."""

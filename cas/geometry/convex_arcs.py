@@ -11,6 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from osculant.cas.geometry.bitangent import bracket
+
 if TYPE_CHECKING:
     from osculant.cas.geometry.arc_distance import Coefficients
 
@@ -37,11 +39,6 @@ class End:
 def dot(v: Vector, w: Vector) -> Any:
     """⟨v, w⟩."""
     return v[0] * w[0] + v[1] * w[1]
-
-
-def bracket(v: Vector, w: Vector) -> Any:
-    """[v, w]."""
-    return v[0] * w[1] - v[1] * w[0]
 
 
 def turning(coefficients: Coefficients, low: End, high: End) -> Any:

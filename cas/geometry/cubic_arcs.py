@@ -8,7 +8,8 @@ from typing import Any
 
 from flint import arb
 
-from osculant.cas.geometry.conic_arcs import SETTLED, STEPS, Pair
+from osculant.cas.geometry.conic_arcs import Pair
+from osculant.cas.geometry.feet import foot_between
 
 
 @dataclass(frozen=True)
@@ -60,14 +61,12 @@ class CubicArc:
     def foot(self, point: Pair, low: float, high: float) -> float:
         """About where the distance from P₀ + ``point`` is least between two parameters.
 
-        Where ⟨p − X(v), X′(v)⟩ changes sign, by Newton's method without the curvature's part, or bisection.
-
         >>> CubicArc((0.0, 0.0), ((1.0, 0.0), (2.0, 0.0)), (3.0, 0.0)).foot((0.75, 7.0), 0.0, 1.0)
         0.25
         """
         first, second, last = self._rounded
-        v = (low + high) / 2
-        for _ in range(STEPS):
+
+        def along(v: float) -> tuple[float, float]:
             r = 1 - v
             ahead = speed = 0.0
             for i in (0, 1):
@@ -75,14 +74,9 @@ class CubicArc:
                 rate = 3 * (r * r * p + 2 * r * v * (q - p) + v * v * (s - q))
                 ahead += (point[i] - (3 * v * r * r * p + 3 * v * v * r * q + v**3 * s)) * rate
                 speed += rate * rate
-            low, high = (v, high) if ahead > 0 else (low, v)
-            new = v + ahead / speed if speed > 0 else low
-            if not low <= new <= high:
-                new = (low + high) / 2
-            if abs(new - v) <= SETTLED or not high > low:
-                return new
-            v = new
-        return v
+            return ahead, speed
+
+        return foot_between(along, low, high)
 
     def near_ends(self, beyond: Any) -> Any:
         """A bound of |X(v) − P₀| for |v| ≤ beyond, and of |X(v) − P₃| for |v − 1| ≤ beyond."""

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from osculant.cas.geometry.convex_arcs import CUTS, End, Vector, bracket, dot, tangent
+from osculant.cas.geometry.bitangent import bracket
+from osculant.cas.geometry.convex_arcs import CUTS, End, Vector, dot, tangent
 
 if TYPE_CHECKING:
     from osculant.cas.geometry.arc_distance import Coefficients

@@ -7,6 +7,7 @@ it may, and that its piece is what normals meet first.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -44,8 +45,6 @@ def hold(theorem: Theorem, curve: FormulaCurve, found: Fitted) -> bool:
 
 def _on_stretch(theorem: Theorem, curve: FormulaCurve, stretch: Stretch, run: Run) -> bool:
     """The same for the pieces of one stretch."""
-    from itertools import pairwise
-
     from flint import arb
 
     from osculant.cas.geometry.convex_arcs import End
