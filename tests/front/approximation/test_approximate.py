@@ -197,7 +197,16 @@ def test_split_points_of_the_user():
 
 def test_a_cusp_at_an_irrational_place_is_a_knot():
     spline = osc.approximate(osc.curve("(t^3 - 2)^2, (t^3 - 2)^3", 1, 2), "conic", 1e-4)
+    assert not spline.undecided
     assert any(abs(knot - 2 ** (1 / 3)) < 1e-9 for knot in spline.knots)
+
+
+def test_undecided_points_are_knots_and_spoil_the_claim(monkeypatch):
+    monkeypatch.setattr("osculant.cas.zeros.isolate.WORK_LIMIT", 20)
+    monkeypatch.setattr("osculant.curves.special.LIMIT", 20)
+    spline = osc.approximate(osc.curve("t, sin(t) + sin(3*t)/5", 0, 9), "conic", 1e-4)
+    assert spline.undecided and set(spline.undecided) <= {0.0, 9.0, *spline.knots}
+    assert spline.minimal == "unknown"
 
 
 coefficient = st.integers(-4, 4)
