@@ -153,7 +153,7 @@ def areas(arcs: Biarc, source: Source, a: float, b: float, space: Space, count: 
             x, y, sx, sy, _, curvature = sample(source, cut)
             d, _, _ = distance(arcs, x, y, sx, sy, curvature)
         for _ in range(2):  # before and after the junction's foot
-            if d0 * d < 0.0:
+            if (d0 > 0.0) != (d > 0.0):  # 0 is on one side: a sample may be a crossing
                 t = crossing(arcs, source, late, t0, cut, d0 > 0.0, accuracy)
                 more = part(arcs, source, late, done, t, scale, space)
                 signed, area, error, done = signed + more.signed, area + more.area, error + more.error, t

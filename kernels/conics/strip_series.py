@@ -161,7 +161,7 @@ def unsigned(order: int, level: int, values: Table, series: Table) -> tuple[floa
         else:
             x = 1.0
             g, _, _ = evaluate(order, count, series, x)
-        if g0 * g < 0.0:
+        if (g0 > 0.0) != (g > 0.0):  # 0 is on one side: a node may be a crossing
             area = zero(order, count, series, x0, g0, x, g)
             total += abs(area - before)
             before = area

@@ -128,7 +128,7 @@ def areas_of(
         end = b
         if i < count - 1:
             here, there = samples[i], samples[i + 1]
-            if not here[D] * there[D] < 0.0:
+            if (here[D] > 0.0) == (there[D] > 0.0):  # 0 is on one side: a sample may be a crossing
                 continue
             end = crossing(
                 source,
@@ -142,7 +142,7 @@ def areas_of(
                 0.5 * (here[FOOT] + there[FOOT]),
             )
         part = swept_finely(source, ends, a0, a3, begin, end, foot, panels)
-        side = 1.0 if samples[i, D] >= 0.0 else -1.0
+        side = 1.0 if samples[i, D] > 0.0 else -1.0
         total, by0, by3 = total + side * part.area, by0 + side * part.by0, by3 + side * part.by3
         begin, foot = end, part.foot
     if not total >= 0.0:

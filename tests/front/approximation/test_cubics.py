@@ -115,7 +115,9 @@ def between(curve, piece, count=20_001):
     """The area between a piece and its arc, region by region: by polygons, from crossing to crossing."""
     t = np.linspace(*piece.interval, count)
     jets = curve.jets(t)
-    points, velocity = jets[..., 0], jets[..., 1]
+    # a cusp has no normal, and takes up no area
+    t, jets = t[jets[..., 1].any(1)], jets[jets[..., 1].any(1)]
+    points, velocity, count = jets[..., 0], jets[..., 1], len(t)
     tangents = velocity / np.linalg.norm(velocity, axis=1)[:, None]
     controls = np.array([piece.start, *piece.controls, piece.end])[None] - points[:, None]
     along = (controls * tangents[:, None]).sum(2)
@@ -299,6 +301,12 @@ def test_random_curves(case, compiled):
 def test_more_random_curves(case, compiled):
     outcome = try_out(case)
     assert not outcome.fails, f"{case.question}: {outcome}"
+
+
+def test_areas_of_both_sides_do_not_cancel_where_a_sample_is_the_crossing():
+    curve = osc.curve("t, sin(t)", -1, 1)
+    (piece,) = osc.approximate(curve, "cubic", 1e-3, metric="area").pieces
+    assert between(curve, piece) == pytest.approx(piece.error, rel=1e-5)
 
 
 @pytest.mark.slow
