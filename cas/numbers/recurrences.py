@@ -43,7 +43,7 @@ def write(
     >>> [steps[index].op for index in square], steps[square[2]].value
     (['mul', 'add', 'number'], Fraction(2, 1))
     """
-    writer = _Writer(variable)
+    writer = Writer(variable)
     series: dict[Node, list[int]] = {}
     for node in topological(formulas):
         series[node] = writer.series(node, [series[arg] for arg in node.args], order + 1)
@@ -54,7 +54,7 @@ def write(
     return writer.steps, outputs
 
 
-class _Writer:
+class Writer:
     """Writes instructions once each, folding exact rationals so that structural zeros cost nothing."""
 
     def __init__(self, variable: str) -> None:
@@ -66,6 +66,7 @@ class _Writer:
 
     # --- single values -------------------------------------------------------------------------
     def emit(self, op: str, *args: int, value: Fraction | str | None = None) -> int:
+        """The number of an instruction, written if it is new."""
         step = Instruction(op, args, value)
         if step not in self.known:
             self.known[step] = len(self.steps)
@@ -73,23 +74,28 @@ class _Writer:
         return self.known[step]
 
     def number(self, value: Fraction) -> int:
+        """A rational."""
         return self.emit("number", value=value)
 
     def exact(self, index: int) -> Fraction | None:
+        """The rational that a value is, if it is one."""
         step = self.steps[index]
         return step.value if step.op == "number" and isinstance(step.value, Fraction) else None
 
     def add(self, a: int, b: int) -> int:
+        """a + b."""
         if a == self.zero or b == self.zero:
             return b if a == self.zero else a
         p, q = self.exact(a), self.exact(b)
         return self.number(p + q) if p is not None and q is not None else self.emit("add", a, b)
 
     def neg(self, a: int) -> int:
+        """−a."""
         p = self.exact(a)
         return self.number(-p) if p is not None else self.emit("neg", a)
 
     def sub(self, a: int, b: int) -> int:
+        """a − b."""
         if b == self.zero:
             return a
         if a == self.zero:
@@ -98,6 +104,7 @@ class _Writer:
         return self.number(p - q) if p is not None and q is not None else self.emit("sub", a, b)
 
     def mul(self, a: int, b: int) -> int:
+        """a·b."""
         if self.zero in (a, b):
             return self.zero
         if self.one in (a, b):
@@ -108,15 +115,18 @@ class _Writer:
         )
 
     def div(self, a: int, b: int) -> int:
+        """a/b."""
         if a == self.zero or b == self.one:
             return a
         p, q = self.exact(a), self.exact(b)
         return self.number(p / q) if p is not None and q else self.emit("div", a, b)
 
     def scale(self, a: int, factor: Fraction) -> int:
+        """A rational multiple."""
         return self.mul(a, self.number(factor))
 
     def call(self, name: str, a: int) -> int:
+        """An elementary function of a value."""
         return self.emit("call", a, value=name)
 
     def dot(self, a: Sequence[int], b: Sequence[int]) -> int:
@@ -154,12 +164,15 @@ class _Writer:
         return _RULES[node.value](self, args[0])
 
     def padded(self, first: int, n: int) -> list[int]:
+        """The series of a constant."""
         return [first] + [self.zero] * (n - 1)
 
     def product(self, a: list[int], b: list[int]) -> list[int]:
+        """The product of two series."""
         return [self.dot(a[: k + 1], b[: k + 1]) for k in range(len(a))]
 
     def quotient(self, a: list[int], b: list[int]) -> list[int]:
+        """a/b of two series."""
         q: list[int] = []
         for k in range(len(a)):
             q.append(self.div(self.sub(a[k], self.dot(q, b[1 : k + 1])), b[0]))
@@ -175,6 +188,7 @@ class _Writer:
         return self.powered(a, exponent, self.emit("power", a[0], value=exponent))
 
     def natural_power(self, a: list[int], n: int) -> list[int]:
+        """a**n by repeated squares."""
         result, square = self.padded(self.one, len(a)), a
         while n:
             if n & 1:
@@ -185,6 +199,7 @@ class _Writer:
         return result
 
     def powered(self, a: list[int], r: Fraction, first: int) -> list[int]:
+        """a**r from its first coefficient."""
         p = [first]
         for k in range(1, len(a)):
             weighted = [self.scale(a[j], j * r - (k - j)) for j in range(1, k + 1)]
@@ -205,6 +220,7 @@ class _Writer:
         return y
 
     def inverse_function(self, name: str, a: list[int], density: list[int]) -> list[int]:
+        """y with y′ = a′·g for a function by its name and the series g of its derivative."""
         return self.integral(self.call(name, a[0]), a, lambda k, _y: density[k])
 
     def paired(self, a: list[int], names: tuple[str, str], sign: int) -> tuple[list[int], list[int]]:
@@ -225,7 +241,7 @@ class _Writer:
         return [combine(one, x) for one, x in zip(self.padded(self.one, len(a)), square, strict=True)]
 
 
-def _tan(w: _Writer, a: list[int]) -> list[int]:
+def _tan(w: Writer, a: list[int]) -> list[int]:
     # tan′ = (1 + tan²)a′
     def density(k: int, y: list[int]) -> int:
         return w.add(w.one if k == 0 else w.zero, w.dot(y[: k + 1], y[: k + 1]))
@@ -233,7 +249,7 @@ def _tan(w: _Writer, a: list[int]) -> list[int]:
     return w.integral(w.call("tan", a[0]), a, density)
 
 
-def _tanh(w: _Writer, a: list[int]) -> list[int]:
+def _tanh(w: Writer, a: list[int]) -> list[int]:
     # tanh′ = g a′ and g′ = −2 tanh g a′ with g = 1/cosh²; 1 − tanh² would cancel where tanh is nearly ±1
     slopes, below = w.slopes(a), w.div(w.one, w.call("cosh", a[0]))
     y, g = [w.call("tanh", a[0])], [w.mul(below, below)]
@@ -246,28 +262,28 @@ def _tanh(w: _Writer, a: list[int]) -> list[int]:
     return y
 
 
-def _inverse_root(w: _Writer, a: list[int], square: list[int]) -> list[int]:
+def _inverse_root(w: Writer, a: list[int], square: list[int]) -> list[int]:
     return w.power(square, Fraction(-1, 2))
 
 
-def _log(w: _Writer, a: list[int]) -> list[int]:
+def _log(w: Writer, a: list[int]) -> list[int]:
     return w.inverse_function("log", a, w.quotient(w.padded(w.one, len(a)), a))
 
 
-def _abs(w: _Writer, a: list[int]) -> list[int]:
+def _abs(w: Writer, a: list[int]) -> list[int]:
     sign = w.call("sign", a[0])
     return [w.mul(sign, x) for x in a]
 
 
-def _reciprocal(w: _Writer, a: list[int]) -> list[int]:
+def _reciprocal(w: Writer, a: list[int]) -> list[int]:
     return w.quotient(w.padded(w.one, len(a)), a)
 
 
-def _less_one(w: _Writer, a: list[int]) -> list[int]:
+def _less_one(w: Writer, a: list[int]) -> list[int]:
     return [w.neg(x) for x in w.one_plus(a, -1)]
 
 
-_RULES: Mapping[Any, Callable[[_Writer, list[int]], list[int]]] = {
+_RULES: Mapping[Any, Callable[[Writer, list[int]], list[int]]] = {
     "exp": lambda w, a: w.integral(w.call("exp", a[0]), a, lambda k, y: y[k]),
     "log": _log,
     "sin": lambda w, a: w.paired(a, ("sin", "cos"), -1)[0],

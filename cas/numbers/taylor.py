@@ -84,10 +84,10 @@ def program(formulas: Sequence[Node], order: int, variable: str = "t", normalise
     >>> len(program([nested], 5).instructions) < 3000
     True
     """
-    return _pruned(*write(formulas, order, variable, normalised))
+    return pruned(*write(formulas, order, variable, normalised))
 
 
-def _pruned(steps: Sequence[Instruction], outputs: Sequence[Sequence[int]]) -> Program:
+def pruned(steps: Sequence[Instruction], outputs: Sequence[Sequence[int]]) -> Program:
     """Drop what no output needs and renumber."""
     needed = {index for output in outputs for index in output}
     for index in range(len(steps) - 1, -1, -1):

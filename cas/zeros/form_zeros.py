@@ -24,6 +24,7 @@ from osculant.cas.zeros.isolate import (
     Box,
     Decide,
     Isolation,
+    Look,
     differentiated,
     first_infinite,
     isolate,
@@ -81,12 +82,22 @@ class ZeroForm(Generic[Jet]):
     parts: Callable[[Jet], tuple[Any, ...]] = lambda jet: ()
 
 
+#: (curve, forms) → the first look at their zeros
+Looks = Callable[[FormulaBalls[Any], Mapping[str, ZeroForm[Any]]], Look]
+
+
+def _nothing(names: Sequence[str], low: Any, high: Any) -> Isolation:
+    """The look of who sees nothing."""
+    return Isolation({name: [] for name in names}, [Box(low, high, tuple(names))])
+
+
 class FormZeros(Generic[Jet]):
     """The zeros of some forms along a curve.
 
     Args:
         curve: in ball arithmetic.
         forms: by name.
+        look: makes of them what looks first.
 
     >>> from osculant.cas.jets.balls import CurveBalls
     >>> from osculant.cas.formulas.parser import parse_constant, parse_tuple
@@ -97,8 +108,11 @@ class FormZeros(Generic[Jet]):
     (['inflection'], True)
     """
 
-    def __init__(self, curve: FormulaBalls[Jet], forms: Mapping[str, ZeroForm[Jet]]) -> None:
+    def __init__(
+        self, curve: FormulaBalls[Jet], forms: Mapping[str, ZeroForm[Jet]], look: Looks | None = None
+    ) -> None:
         self.curve, self.forms = curve, forms
+        self.look = look(curve, forms) if look else _nothing
 
     def vanishes(self, name: str, low: Any, high: Any) -> bool:
         """Whether a form seems to vanish identically: its balls contain 0 at every probe, to 600 digits.
@@ -155,7 +169,8 @@ class FormZeros(Generic[Jet]):
             a, b = constant(low), constant(high)
             multiple = _MultipleZeros(self, (low, high))
             found, ends = self._isolated(multiple, names, a, b, limit)
-            points = self._simple(found) + multiple.points + ends
+            accuracy = (b - a) * arb(2) ** -(PRECISION // 2)
+            points = self._simple(found, accuracy) + multiple.points + ends
             known = [point.at for point in points]
             small = (b - a) * NEAR * arb(2) ** -SMALLEST
             for box in _joined(found.unresolved):
@@ -174,12 +189,17 @@ class FormZeros(Generic[Jet]):
 
         A bump on a line curves it everywhere, but only about the bump so that digits, or anybody, could tell.
         """
-        flat = [name for name in names if self._is_flat(name, low, high)]
-        others = [name for name in names if name not in flat]
-        found = isolate(self.evaluate, decide, others, low, high, limit)
+        begun = self.look(names, low, high)
+        whole = {name for box in begun.unresolved if box.low is low and box.high is high for name in box.open}
+        flat = [name for name in whole if self._is_flat(name, low, high)]
+        boxes = [
+            Box(b.low, b.high, tuple(name for name in b.open if name not in flat)) for b in begun.unresolved
+        ]
+        found = isolate(self.evaluate, decide, names, low, high, limit, boxes)
+        for name in names:
+            found.brackets[name] += begun.brackets[name]
         ends: list[SpecialPoint] = []
         for name in flat:
-            found.brackets[name] = []
             for start, end in self._told(name, low, high):
                 part = isolate(self.evaluate, decide, [name], start, end, limit)
                 found.brackets[name] += part.brackets[name]
@@ -241,7 +261,7 @@ class FormZeros(Generic[Jet]):
         """Taylor coefficients of one form at all points of the ball t; None where not finite."""
         return self.curve.form_series(self.forms[name].form, t, self.forms[name].order, length)
 
-    def _simple(self, found: Isolation) -> list[SpecialPoint]:
+    def _simple(self, found: Isolation, accuracy: Any) -> list[SpecialPoint]:
         points = []
         for name, brackets in found.brackets.items():
 
@@ -260,7 +280,7 @@ class FormZeros(Generic[Jet]):
                 return taylor_form(differentiated(at), differentiated(over), t - centre)
 
             for low, high in brackets:
-                zero = refine(value, slope, low, high, PRECISION // 2)
+                zero = refine(value, slope, low, high, accuracy)
                 if zero is not None:
                     points.append(SpecialPoint(zero, frozenset([name])))
         return points

@@ -33,6 +33,8 @@ SMALL = 5
 Evaluate = Callable[[Any, Sequence[str]], Mapping[str, list[list[Any]]] | None]
 #: (name, low, high) → an interval around it that needs no more work for this function, or None
 Decide = Callable[[str, Any, Any], tuple[Any, Any] | None]
+#: (names, low, high) → what somebody found out, faster: brackets, and as unresolved what is left to look at
+Look = Callable[[Sequence[str], Any, Any], "Isolation"]
 
 
 @dataclass
@@ -98,18 +100,26 @@ def first_infinite(evaluate: Evaluate, names: Sequence[str], low: Any, high: Any
 
 
 def isolate(
-    evaluate: Evaluate, decide: Decide, names: Sequence[str], low: Any, high: Any, limit: int | None = None
+    evaluate: Evaluate,
+    decide: Decide,
+    names: Sequence[str],
+    low: Any,
+    high: Any,
+    limit: int | None = None,
+    boxes: Sequence[Box] | None = None,
 ) -> Isolation:
     """Isolate the zeros of the named functions on [low, high], where all of them are finite.
 
     Brackets of simple zeros have ends where the sign is certain, or the end of the whole interval.
+    Instead of all of it, only some ``boxes`` of the interval may be left to look at.
     ``decide(name, low, high)`` may settle what happens on a small interval; it then returns an interval
     on which nothing is left to do for that function.  After ``limit`` boxes, by default `WORK_LIMIT`, the
     open ones are unresolved.
     """
     found = Isolation({name: [] for name in names})
     size = high - low
-    queue = deque([Box(low, high, tuple(names))])  # wide ones first: a hard place must not starve the others
+    # wide ones first: a hard place must not starve the others
+    queue = deque([Box(low, high, tuple(names))] if boxes is None else boxes)
     for _ in range(WORK_LIMIT if limit is None else limit):
         if not queue:
             return found
@@ -166,15 +176,15 @@ def _undecided(evaluate: Evaluate, box: Box, found: Isolation) -> tuple[str, ...
 
 
 def refine(
-    value: Callable[[Any], Any], slope: Callable[[Any], Any], low: Any, high: Any, bits: int
+    value: Callable[[Any], Any], slope: Callable[[Any], Any], low: Any, high: Any, target: Any
 ) -> Any | None:
-    """The zero of a monotone function in [low, high] as a ball of relative width about 2^−bits.
+    """The zero of a monotone function in [low, high] as a ball no wider than about ``target``.
 
     Interval Newton steps, bisection where they do not halve.  ``value`` and ``slope`` enclose the
     function and its derivative over a ball.  None if there is no zero; where the sign at an end of
     the interval cannot be told, that end is returned: the zero is there or indistinguishably near.
 
-    >>> zero = refine(lambda t: t * t - 2, lambda t: 2 * t, arb(1), arb(2), 40)
+    >>> zero = refine(lambda t: t * t - 2, lambda t: 2 * t, arb(1), arb(2), arb("1e-12"))
     >>> abs(zero - arb(2).sqrt()) < 1e-11
     True
     """
@@ -186,7 +196,6 @@ def refine(
     if (at_low > 0) == (at_high > 0):
         return None
     rising = bool(at_high > 0)
-    target = (high - low) * arb(2) ** -bits
     while high - low > target:
         width = high - low
         middle = arb(((low + high) / 2).mid())

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 
 from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
-from osculant.cas.zeros.form_zeros import FormZeros, ZeroForm
+from osculant.cas.zeros.form_zeros import FormZeros, Looks, ZeroForm
 
 #: what splits a spline
 FORMS: Mapping[str, ZeroForm[PlaneJet]] = {
@@ -27,8 +27,10 @@ FORMS: Mapping[str, ZeroForm[PlaneJet]] = {
 }
 
 
-def zeros(curve: CurveBalls) -> FormZeros[PlaneJet]:
+def zeros(curve: CurveBalls, look: Looks | None = None) -> FormZeros[PlaneJet]:
     """The zeros of `FORMS` along a curve; those at the ends count too (their frames are limits).
+
+    ``look`` makes what looks for them first, if balls are not to do it all.
 
     >>> from osculant.cas.formulas.parser import parse_constant, parse_tuple
     >>> cubic, ends = CurveBalls(parse_tuple("t, t^3")), map(parse_constant, ("-1", "2"))
@@ -36,4 +38,4 @@ def zeros(curve: CurveBalls) -> FormZeros[PlaneJet]:
     >>> sorted(point.kinds), abs(point.at) < 1e-30
     (['inflection'], True)
     """
-    return FormZeros(curve, FORMS)
+    return FormZeros(curve, FORMS, look)

@@ -21,7 +21,7 @@ from osculant.cas.formulas.expression import Node
 from osculant.cas.jets.balls import SpaceBalls
 from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.balls import PRECISION, constant, precision
-from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint, ZeroForm
+from osculant.cas.zeros.form_zeros import FormZeros, Looks, SpecialPoint, ZeroForm
 
 #: a place inside the interval, unlikely to be a zero of anything
 INSIDE = "0.38196601"
@@ -35,19 +35,25 @@ FORMS: Mapping[str, ZeroForm[SpaceJet]] = {
 }
 
 
-def zeros(curve: SpaceBalls) -> FormZeros[SpaceJet]:
-    """The zeros of `FORMS` along a curve.
+def zeros(curve: SpaceBalls, look: Looks | None = None) -> FormZeros[SpaceJet]:
+    """The zeros of `FORMS` along a curve; ``look`` makes what looks for them first.
 
     >>> from osculant.cas.formulas.parser import parse_tuple
     >>> helix = zeros(SpaceBalls(parse_tuple("3*cos(t), 3*sin(t), 4*t")))
     >>> [helix.vanishes(name, arb(0), arb(1)) for name in ("inflection", "vertex", "planar", "slope")]
     [False, True, False, True]
     """
-    return FormZeros(curve, FORMS)
+    return FormZeros(curve, FORMS, look)
 
 
 def special_points(
-    curve: SpaceBalls, low: Node, high: Node, names: Sequence[str], planar: bool = False
+    curve: SpaceBalls,
+    low: Node,
+    high: Node,
+    names: Sequence[str],
+    planar: bool = False,
+    limit: int | None = None,
+    look: Looks | None = None,
 ) -> list[SpecialPoint]:
     """The special points of the given kinds in [low, high], in order, merged where they coincide.
 
@@ -58,6 +64,8 @@ def special_points(
         names: among "cusp", "inflection" (κ = 0) and "vertex" (κ′ = 0); forms that vanish identically
             are not to be asked for.
         planar: whether the curve is known to lie in a plane.
+        limit: boxes that are looked at, by default `isolate.WORK_LIMIT`.
+        look: makes what looks first.
 
     Points at the ends are reported too.
 
@@ -71,7 +79,7 @@ def special_points(
     if planar and "inflection" in names:
         with precision(PRECISION):
             forms["inflection"] = _bend_in_plane(curve, constant(low), constant(high))
-    return FormZeros(curve, forms).within(low, high, names)
+    return FormZeros(curve, forms, look).within(low, high, names, limit)
 
 
 def _bend_in_plane(curve: SpaceBalls, low: Any, high: Any) -> ZeroForm[SpaceJet]:

@@ -287,9 +287,9 @@ class FormulaCurve(ABC):
         found: list[SpecialPoint] = known[tuple(forms)]
         return found
 
-    def _special_points_of_jets(self, forms: Sequence[str]) -> list[SpecialPoint]:
-        """The same by the forms over jets in balls."""
-        return self.zeros.within(*self.ends, forms)
+    def _special_points_of_jets(self, forms: Sequence[str], limit: int | None = None) -> list[SpecialPoint]:
+        """The same by the forms over jets, balls looking at so many boxes only."""
+        return self.zeros.within(*self.ends, forms, limit)
 
     def __repr__(self) -> str:
         where = "" if self._ends is None else f", t from {to_text(self._ends[0])} to {to_text(self._ends[1])}"

@@ -61,8 +61,9 @@ class PlaneCurve(FormulaCurve):
     def zeros(self) -> FormZeros[PlaneJet]:
         """The zeros of `osculant.cas.zeros.plane.FORMS`: cusps, inflections, sextactic points, …."""
         from osculant.cas.zeros.plane import zeros
+        from osculant.curves.first_look import FirstLook
 
-        return zeros(self.balls)
+        return zeros(self.balls, FirstLook)
 
     @cached_property
     def _longer_jet(self) -> CompiledJet:

@@ -66,19 +66,21 @@ class SpaceCurve(FormulaCurve):
     def zeros(self) -> FormZeros[SpaceJet]:
         """The zeros of `osculant.cas.zeros.space.FORMS`: cusps, points with κ = 0, vertices, …."""
         from osculant.cas.zeros.space import zeros
+        from osculant.curves.first_look import FirstLook
 
-        return zeros(self.balls)
+        return zeros(self.balls, FirstLook)
 
-    def _special_points_of_jets(self, forms: Sequence[str]) -> list[SpecialPoint]:
+    def _special_points_of_jets(self, forms: Sequence[str], limit: int | None = None) -> list[SpecialPoint]:
         """In a plane the zeros of the curvature are simple, and are told apart.
 
         >>> SpaceCurve("t, t^3, 0", -1, 2).special_points(["inflection"])[0].decided
         True
         """
         from osculant.cas.zeros.space import special_points
+        from osculant.curves.first_look import FirstLook
 
         planar = "inflection" in forms and self.vanishes("planar") and self.exact.planar is True
-        return special_points(self.balls, *self.ends, forms, planar)
+        return special_points(self.balls, *self.ends, forms, planar, limit, FirstLook)
 
     @property
     def frame(self) -> tuple[Any, Any, Any]:

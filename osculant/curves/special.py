@@ -1,12 +1,12 @@
-"""Special points of a curve, from the factors of its forms where these can be had, else from its jets.
+"""Special points of a curve, from its jets where that is quick, else from the factors of its forms.
 
-What cancels in a form over jets costs ball arithmetic many small intervals; the differential field cancels it
-once and for all, and of what is left the zeros are quickly isolated.
+What cancels in a form over jets costs arithmetic of enclosures many small intervals; the differential field
+cancels it once and for all, and of what is left the zeros are quickly isolated.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -31,8 +31,11 @@ FORMS = {
 }
 
 
-#: boxes in which the zeros of one factor are sought, so that the attempt costs little where it fails
-LIMIT = 2500
+#: boxes in which balls seek the zeros of forms at first, and those of one factor, so that the attempt costs
+#: little where it fails
+SOON, LIMIT = 300, 2500
+#: (names, boxes at most) → zeros of the forms over jets
+OfJets = Callable[[Sequence[str], int | None], "list[SpecialPoint]"]
 
 
 def from_factors(curve: FormulaCurve, name: str) -> list[SpecialPoint] | None:
@@ -62,32 +65,38 @@ def _zeros(curve: FormulaCurve, factor: Node, name: str) -> list[SpecialPoint]:
     """The zeros of a formula on the curve's interval."""
     from osculant.cas.numbers.balls import FormulaBalls
     from osculant.cas.zeros.form_zeros import FormZeros, ZeroForm
+    from osculant.curves.first_look import FirstLook
 
     def first(values: list[Any]) -> Any:
         return values[0]
 
     balls: FormulaBalls[Any] = FormulaBalls([factor], first)
-    return FormZeros(balls, {name: ZeroForm(lambda value: value, 0)}).within(*curve.ends, [name], LIMIT)
+    forms: dict[str, ZeroForm[Any]] = {name: ZeroForm(lambda value: value, 0)}
+    return FormZeros(balls, forms, FirstLook).within(*curve.ends, [name], LIMIT)
 
 
-def together(curve: FormulaCurve, names: Sequence[str], others: Any) -> list[SpecialPoint]:
+def together(curve: FormulaCurve, names: Sequence[str], of_jets: OfJets) -> list[SpecialPoint]:
     """The zeros of the named forms, in order, merged where they coincide.
 
-    ``others`` finds those of the forms that have no factors, as `FormulaCurve.special_points` does.
+    ``of_jets`` finds those of some of the forms over jets. What it does not soon decide is left to factors.
     """
     from osculant.cas.numbers.balls import PRECISION, constant, precision
-    from osculant.cas.zeros.form_zeros import merged
+    from osculant.cas.zeros.form_zeros import SpecialPoint, merged
 
-    found: list[SpecialPoint] = []
+    soon = of_jets(names, SOON)
+    hard = {kind for point in soon if not point.decided for kind in point.kinds}
+    if not hard:
+        return soon
+    found = [SpecialPoint(point.at, point.kinds - hard) for point in soon if not point.kinds <= hard]
     left = []
-    for name in names:
+    for name in sorted(hard):
         points = from_factors(curve, name)
         if points is None:
             left.append(name)
         else:
             found += points
     if left:
-        found += others(left)
+        found += of_jets(left, None)
     with precision(PRECISION):
         low, high = map(constant, curve.ends)
         return merged(found, high - low)

@@ -477,16 +477,16 @@ def test_refine(root):
     with precision(PRECISION):
         r = arb(root)
         value, slope = (lambda t: (t - r) * (3 + t * t)), (lambda t: 3 + t * t + 2 * t * (t - r))
-        zero = isolate.refine(value, slope, arb(-2), arb(2), 150)
+        zero = isolate.refine(value, slope, arb(-2), arb(2), arb(2) ** -150)
         assert zero.contains(r)
         assert zero.rad() < 1e-40
-        assert isolate.refine(value, slope, r + arb(1) / 100, arb(3), 150) is None
+        assert isolate.refine(value, slope, r + arb(1) / 100, arb(3), arb(2) ** -150) is None
 
 
 def test_refine_at_an_end():
     with precision(PRECISION):
         pi = arb.pi()
-        zero = isolate.refine(lambda t: t.sin(), lambda t: t.cos(), arb(3), pi, 150)
+        zero = isolate.refine(lambda t: t.sin(), lambda t: t.cos(), arb(3), pi, arb(2) ** -150)
         assert zero.overlaps(pi)
         with mpmath.workdps(90):
             assert abs(mpmath.mpf(zero.mid().str(90, radius=False)) - mpmath.pi) < mpmath.mpf(10) ** -80

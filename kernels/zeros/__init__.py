@@ -1,0 +1,1 @@
+"""Zeros of functions given by Taylor programs, isolated in enclosures of doubles."""
