@@ -74,7 +74,9 @@ def approximate_curve(
         if off <= flat:
             division = chord_of(curve, off)
         else:
-            division = divide(curve, primitive, split_at, closed_how, split, passed_over, stuck or ())
+            division = divide(
+                curve, primitive, tuple(split_at), closed_how, split, passed_over, tuple(stuck or ())
+            )
         fitting = Fitting(curve, fit, division, size, allowed if count is None else None)
         if count is not None:
             return fitting.for_number(count)

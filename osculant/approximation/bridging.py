@@ -16,6 +16,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from osculant.approximation.split_points import as_float
+from osculant.curves.kept import kept
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -180,6 +181,7 @@ def _reach(curve: FormulaCurve, low: Any, high: Any, most: float) -> float:
     return size if size <= most else math.inf
 
 
+@kept
 def width(curve: FormulaCurve, most: float = math.inf) -> float:
     """A bound of the curve's distance from its chord, and of the way that it runs back along that, together.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.approximation.split_points import as_float
 from osculant.cas.errors import DomainError, UndecidedError
+from osculant.curves.kept import kept
 
 if TYPE_CHECKING:
     from osculant.curves.curve import FormulaCurve
@@ -20,6 +21,7 @@ AGREED = 2.0**-200
 ORDER = 8
 
 
+@kept
 def closing(curve: FormulaCurve, asked: bool | None = None, seam: bool = False) -> Closing:
     """How a curve that is finite on its interval (`FormulaCurve.check_finite`) shall be closed.
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from osculant.approximation.division import Frame
 from osculant.approximation.runs import Floats, equal_parts
+from osculant.curves.kept import kept
 from osculant.kernels.curves import plane, space
 
 if TYPE_CHECKING:
@@ -57,14 +57,6 @@ class Coordinates:
         x, y, z = self.size.origin
         return space.Place(x, y, z, self.scale, self.noise)
 
-    @cached_property
-    def _parts(self) -> Floats:
-        """Edges of parts of the curve's interval on which it is a polynomial, up to the resolution."""
-        from osculant.cas.numbers.parts import polynomial_parts
-
-        assert self.resolution is not None
-        return np.array(polynomial_parts(self.curve.balls, *self.curve.interval, self.resolution))
-
     def edges(self, a: float, b: float) -> Floats:
         """Edges of parts of [a, b] that are at least as fine as the curve's features: increasing (m + 1,).
 
@@ -82,7 +74,7 @@ class Coordinates:
         low, high = self.curve.interval
         period = high - low
         turns = np.arange(math.floor((a - low) / period), max(1, math.ceil((b - low) / period)))
-        every = np.unique(self._parts + period * turns[:, None])
+        every = np.unique(parts(self.curve, self.resolution) + period * turns[:, None])
         return np.concatenate([[a], every[(every > a) & (every < b)], [b]])
 
     def error_noise(self, degree: int) -> float:
@@ -110,3 +102,16 @@ class Coordinates:
         jet = self.curve.jets(np.array([t]))[0]
         length = float(np.linalg.norm(jet[:, 1]))
         return Frame(tuple(jet[:, 0].tolist()), tuple((jet[:, 1] / length).tolist()))
+
+
+@kept
+def parts(curve: FormulaCurve, resolution: float) -> Floats:
+    """Edges of parts of the curve's interval on which it is a polynomial, up to the resolution.
+
+    >>> from osculant.curves.plane import PlaneCurve
+    >>> parts(PlaneCurve("t, t^2", 0, 1), 1e-3).size
+    17
+    """
+    from osculant.cas.numbers.parts import polynomial_parts
+
+    return np.array(polynomial_parts(curve.balls, *curve.interval, resolution))

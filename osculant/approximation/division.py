@@ -12,6 +12,7 @@ from osculant.approximation.bridging import Blemish, blemishes, meeting
 from osculant.approximation.request import check_split
 from osculant.approximation.split_points import as_float, cut, cut_around
 from osculant.cas.errors import DomainError, UndecidedError
+from osculant.curves.kept import kept
 from osculant.primitives.table import PRIMITIVES
 
 if TYPE_CHECKING:
@@ -97,6 +98,7 @@ class Division:
         return tuple(sorted({as_float(at) for stretch in self.stretches for at in stretch.passed}))
 
 
+@kept
 def divide(
     curve: FormulaCurve,
     primitive: str,
@@ -141,7 +143,7 @@ def divide(
 
     check_split(split)
     wanted = PRIMITIVES[curve.dimension][primitive]
-    kind, proved = _kind(curve, wanted)
+    kind, proved = _kind(curve, primitive)
     every = curve.special_points(_forms(wanted, kind))
     if kind in (
         "segment",
@@ -196,7 +198,7 @@ def is_exact(curve: FormulaCurve, primitive: str) -> bool:
     >>> [is_exact(PlaneCurve("t, t^2", 0, 1), primitive) for primitive in ("parabola", "biarc")]
     [True, False]
     """
-    return _kind(curve, PRIMITIVES[curve.dimension][primitive])[0] in ("segment", "exact")
+    return _kind(curve, primitive)[0] in ("segment", "exact")
 
 
 def chord_of(curve: FormulaCurve, off: float) -> Division:
@@ -228,13 +230,14 @@ def _forms(primitive: Primitive, kind: Kind) -> list[str]:
     return forms
 
 
-def _kind(curve: FormulaCurve, primitive: Primitive) -> tuple[Kind, bool]:
+@kept
+def _kind(curve: FormulaCurve, primitive: str) -> tuple[Kind, bool]:
     """What the curve is as a whole, and whether that is certain."""
     if curve.vanishes("cusp"):
         raise DomainError(f"The curve {curve.text} is a single point: give a formula that moves.")
     if curve.vanishes("inflection") and curve.exact.straight is not False:
         return "segment", curve.exact.straight is True
-    itself = primitive.itself
+    itself = PRIMITIVES[curve.dimension][primitive].itself
     if itself is None or not curve.vanishes(itself.forms[0]):
         return "generic", True
     if not all(map(curve.vanishes, itself.forms[1:])):

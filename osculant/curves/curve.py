@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.formulas.expression import Node, number, to_text
 from osculant.cas.formulas.parser import parse, parse_constant, parse_tuple
+from osculant.curves.kept import kept
 
 if TYPE_CHECKING:
     from numpy import float64
@@ -129,7 +130,7 @@ class FormulaCurve(ABC):
             raise DomainError(f"The curve {self.text} has no interval: give both ends, such as 0 and 2*pi.")
         return self._ends
 
-    @property
+    @cached_property
     def interval(self) -> tuple[float, float]:
         """The ends of the interval as the nearest doubles."""
         from osculant.cas.numbers.balls import PRECISION, constant, precision
@@ -246,6 +247,7 @@ class FormulaCurve(ABC):
         jet = compile_jet(self.coordinates, self.tabulated_order)  # owns the code at its address
         return self._table(jet, np.ascontiguousarray(times, dtype=np.float64).ravel())
 
+    @kept
     def check_finite(self) -> None:
         """Raises DomainError, naming the parameter value, where the curve is undefined or not smooth.
 
@@ -258,6 +260,7 @@ class FormulaCurve(ABC):
         """
         self.zeros.require_finite(*self.ends, [self.highest_form])
 
+    @kept
     def vanishes(self, form: str) -> bool:
         """Whether a form seems to vanish identically on the interval, to 600 digits; False is a proof.
 
@@ -279,13 +282,13 @@ class FormulaCurve(ABC):
         >>> [sorted(point.kinds) for point in PlaneCurve("t, t^3", -1, 2).special_points(["inflection"])]
         [['inflection']]
         """
-        known = self.__dict__.setdefault("_special_points", {})
-        if tuple(forms) not in known:
-            from osculant.curves.special import together
+        return list(self._special_points(tuple(forms)))
 
-            known[tuple(forms)] = together(self, forms, self._special_points_of_jets)
-        found: list[SpecialPoint] = known[tuple(forms)]
-        return found
+    @kept
+    def _special_points(self, forms: tuple[str, ...]) -> list[SpecialPoint]:
+        from osculant.curves.special import together
+
+        return together(self, forms, self._special_points_of_jets)
 
     def _special_points_of_jets(self, forms: Sequence[str], limit: int | None = None) -> list[SpecialPoint]:
         """The same by the forms over jets, balls looking at so many boxes only."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from osculant.cas.errors import DomainError
+from osculant.curves.kept import kept
 
 if TYPE_CHECKING:
     from osculant.curves.curve import FormulaCurve
@@ -41,6 +42,7 @@ class Extent:
         return math.ulp(self.largest) * self.size ** (dimension - 1)
 
 
+@kept
 def extent(curve: FormulaCurve) -> Extent:
     """Sample a curve that is finite on its interval; raises DomainError if doubles cannot hold it.
 

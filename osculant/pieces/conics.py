@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 
 Point = tuple[float, float]
 
+CONIC_KINDS = get_args(ConicKind)
+
 
 def classify(weight: float) -> ConicKind:
     """Name the conic that has this weight.
@@ -83,10 +85,8 @@ class Piece:
     error: float
 
     def __post_init__(self) -> None:
-        if self.kind not in get_args(ConicKind):
-            raise DomainError(
-                f"A piece is an {', '.join(get_args(ConicKind))}; {self.kind!r} is none of them."
-            )
+        if self.kind not in CONIC_KINDS:
+            raise DomainError(f"A piece is an {', '.join(CONIC_KINDS)}; {self.kind!r} is none of them.")
         if not -1 < self.weight < math.inf:
             raise DomainError(
                 f"A conic arc is bounded only for a weight above -1 and finite; this one has {self.weight!r}."
