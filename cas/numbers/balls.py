@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, Generic, TypeVar
 
 from flint import arb, arb_series, ctx
@@ -44,6 +44,11 @@ def constant(node: Node) -> Any:
     >>> constant(parse_constant("1/4"))
     0.250000000000000
     """
+    return _constant(node, ctx.prec)
+
+
+@lru_cache(maxsize=4096)
+def _constant(node: Node, bits: int) -> Any:
     return program([node], 0).run(arb(0), Balls())[0][0]
 
 
@@ -63,14 +68,15 @@ class FormulaBalls(Generic[Jet]):
         self.jet_type = jet_type
         self.variable = variable
         self.field = Balls()
-        self._program = cache(self._make_program)
+        self.program = cache(self._write)
 
-    def _make_program(self, order: int) -> Program:
+    def _write(self, order: int) -> Program:
+        """The program for the normalised Taylor coefficients 0…order, written once."""
         return program(self.coordinates, order, self.variable, normalised=True)
 
     def coefficients(self, t: Any, order: int) -> list[list[Any]]:
         """Normalised Taylor coefficients 0…order of each coordinate at all points of the ball t."""
-        return self._program(order).run(t, self.field)
+        return self.program(order).run(t, self.field)
 
     def jet(self, t: Any, order: int) -> Jet:
         """The jet of that order at a ball, derivatives as balls."""
@@ -102,7 +108,7 @@ class FormulaBalls(Generic[Jet]):
 
     def explain(self, t: Any) -> str:
         """Why the curve has no finite series at t: the first operation that fails, in words."""
-        compiled = self._program(1)
+        compiled = self.program(1)
         values = compiled.trace(t, self.field)
         for step, value in zip(compiled.instructions, values, strict=True):
             if not value.is_finite():

@@ -7,18 +7,16 @@ own (Griewank & Walther, *Evaluating Derivatives*, ch. 13).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from math import factorial
-from typing import Any
+from typing import Any, NamedTuple
 
 from osculant.cas.errors import FormulaError
 from osculant.cas.formulas.expression import Node
 from osculant.cas.formulas.graph import topological
 
 
-@dataclass(frozen=True)
-class Instruction:
+class Instruction(NamedTuple):
     """One assignment: ``op`` of the values at ``args``; ``value`` is its exact constant or name.
 
     ``op`` is one of number, constant, variable, add, sub, mul, div, neg, call, power.
@@ -61,6 +59,7 @@ class Writer:
         self.variable = variable
         self.steps: list[Instruction] = []
         self.known: dict[Instruction, int] = {}
+        self.numbers: dict[tuple[int, int], int] = {}  # a fraction takes its time to hash
         self.zero = self.number(Fraction(0))
         self.one = self.number(Fraction(1))
 
@@ -75,7 +74,11 @@ class Writer:
 
     def number(self, value: Fraction) -> int:
         """A rational."""
-        return self.emit("number", value=value)
+        pair = value.numerator, value.denominator
+        if pair not in self.numbers:
+            self.numbers[pair] = len(self.steps)
+            self.steps.append(Instruction("number", (), value))
+        return self.numbers[pair]
 
     def exact(self, index: int) -> Fraction | None:
         """The rational that a value is, if it is one."""

@@ -21,6 +21,7 @@ from osculant.cas.numbers.balls import PRECISION, FormulaBalls, ball, constant, 
 from osculant.cas.numbers.parts import polynomial_parts
 from osculant.cas.zeros.isolate import (
     SMALLEST,
+    Blind,
     Box,
     Decide,
     Isolation,
@@ -86,11 +87,6 @@ class ZeroForm(Generic[Jet]):
 Looks = Callable[[FormulaBalls[Any], Mapping[str, ZeroForm[Any]]], Look]
 
 
-def _nothing(names: Sequence[str], low: Any, high: Any) -> Isolation:
-    """The look of who sees nothing."""
-    return Isolation({name: [] for name in names}, [Box(low, high, tuple(names))])
-
-
 class FormZeros(Generic[Jet]):
     """The zeros of some forms along a curve.
 
@@ -112,7 +108,7 @@ class FormZeros(Generic[Jet]):
         self, curve: FormulaBalls[Jet], forms: Mapping[str, ZeroForm[Jet]], look: Looks | None = None
     ) -> None:
         self.curve, self.forms = curve, forms
-        self.look = look(curve, forms) if look else _nothing
+        self.look: Look = look(curve, forms) if look else Blind()
 
     def vanishes(self, name: str, low: Any, high: Any) -> bool:
         """Whether a form seems to vanish identically: its balls contain 0 at every probe, to 600 digits.
@@ -153,7 +149,7 @@ class FormZeros(Generic[Jet]):
     def require_finite(self, low: Node, high: Node, names: Sequence[str]) -> None:
         """Raises DomainError, naming the parameter, unless the named forms are finite on [low, high]."""
         with precision(PRECISION):
-            infinite = first_infinite(self.evaluate, names, constant(low), constant(high))
+            infinite = first_infinite(self.evaluate, names, constant(low), constant(high), self.look)
             if infinite is not None:
                 raise DomainError(undefined(self.curve, *infinite, (low, high)))
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 from flint import arb
 
@@ -33,8 +33,6 @@ SMALL = 5
 Evaluate = Callable[[Any, Sequence[str]], Mapping[str, list[list[Any]]] | None]
 #: (name, low, high) → an interval around it that needs no more work for this function, or None
 Decide = Callable[[str, Any, Any], tuple[Any, Any] | None]
-#: (names, low, high) → what somebody found out, faster: brackets, and as unresolved what is left to look at
-Look = Callable[[Sequence[str], Any, Any], "Isolation"]
 
 
 @dataclass
@@ -56,6 +54,28 @@ class Isolation:
     decided: list[tuple[str, Any, Any]] = field(default_factory=list)
 
 
+class Look(Protocol):
+    """Who looks at an interval before balls do, and faster."""
+
+    def __call__(self, names: Sequence[str], low: Any, high: Any) -> Isolation:
+        """Brackets of zeros that were found, and as unresolved what is left to look at."""
+
+    def unclear(self, low: Any, high: Any) -> list[tuple[Any, Any]]:
+        """Intervals outside of which the functions are finite."""
+
+
+class Blind:
+    """The look of who sees nothing."""
+
+    def __call__(self, names: Sequence[str], low: Any, high: Any) -> Isolation:
+        """All is left to look at."""
+        return Isolation({name: [] for name in names}, [Box(low, high, tuple(names))])
+
+    def unclear(self, low: Any, high: Any) -> list[tuple[Any, Any]]:
+        """The whole interval."""
+        return [(low, high)]
+
+
 def taylor_form(at_centre: list[Any], over: list[Any], h: Any) -> Any:
     """An enclosure over an interval: the polynomial at its centre plus the last term over all of it."""
     total = over[-1]
@@ -74,16 +94,18 @@ def divided(low: Any, high: Any) -> Any:
     return arb((low + CUT * (high - low)).mid())
 
 
-def first_infinite(evaluate: Evaluate, names: Sequence[str], low: Any, high: Any) -> tuple[Any, Any] | None:
+def first_infinite(
+    evaluate: Evaluate, names: Sequence[str], low: Any, high: Any, look: Look | None = None
+) -> tuple[Any, Any] | None:
     """A smallest interval in which no finite series was found, the leftmost; None if there is none.
 
-    Raises UndecidedError after `WORK_LIMIT` intervals.
+    ``look`` tells where to seek it.  Raises UndecidedError after `WORK_LIMIT` intervals.
 
     >>> first_infinite(lambda t, names: None, ["f"], arb(0), arb(1)) is not None
     True
     """
     least = (high - low) * arb(2) ** -SMALLEST
-    stack = [(low, high)]
+    stack = (look or Blind()).unclear(low, high)[::-1]
     for _ in range(WORK_LIMIT):
         if not stack:
             return None

@@ -1,7 +1,7 @@
 """A first look at the zeros of forms in enclosures of doubles, a hundred times as fast as ball arithmetic.
 
 Where it finds that a form has no zero, or at most one, this rests on the C library's functions being right to
-the 8 ulps that `osculant.kernels.zeros.enclosures` allows them.  That there is one, ball arithmetic confirms
+the 8 ulps that `osculant.kernels.enclosures.balls` allows them.  That there is one, ball arithmetic confirms
 when it narrows the bracket.
 """
 
@@ -9,15 +9,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
+
+from osculant.curves.enclosed import Enclosed, joined, table_of
 
 if TYPE_CHECKING:
     from osculant.cas.numbers.balls import FormulaBalls
-    from osculant.cas.numbers.taylor import Program
     from osculant.cas.zeros.form_zeros import ZeroForm
     from osculant.cas.zeros.isolate import Isolation
-    from osculant.kernels.zeros.programs import Table
+    from osculant.kernels.enclosures.programs import Table
 
 #: terms of the Taylor models: 4 take the least time
 TERMS = 4
@@ -41,6 +41,22 @@ class FirstLook:
         self.curve, self.forms = curve, forms
         self._programs: dict[tuple[str, ...], tuple[Table, Any]] = {}
 
+    def unclear(self, low: Any, high: Any) -> list[tuple[Any, Any]]:
+        """Intervals of [low, high] outside of which the curve is finite."""
+        from flint import arb
+
+        a, b = float(low.lower()), float(high.upper())
+        found = (
+            Enclosed(self.curve).unclear(a - math.ulp(a), b + math.ulp(b)) if math.isfinite(b - a) else None
+        )
+        if found is None:
+            return [(low, high)]
+        near = NEAR * max(abs(a), abs(b))
+        return [
+            (low if start <= a + near else arb(start), high if end >= b - near else arb(end))
+            for start, end in found
+        ]
+
     def __call__(self, names: Sequence[str], low: Any, high: Any) -> Isolation:
         """Brackets of simple zeros on [low, high], and what is open.
 
@@ -51,7 +67,7 @@ class FirstLook:
         from flint import arb
 
         from osculant.cas.zeros.isolate import Box, Isolation
-        from osculant.kernels.zeros.isolation import Room, isolate
+        from osculant.kernels.enclosures.isolation import Room, isolate
 
         whole = Isolation({name: [] for name in names}, [Box(low, high, tuple(names))])
         a, b = float(low.lower()), float(high.upper())
@@ -75,7 +91,7 @@ class FirstLook:
             else:
                 result.brackets[names[int(form)]].append((arb(start), arb(end)))
         for k, name in enumerate(names):
-            parts = _joined(sorted((start, end) for start, end, bits in opened if bits >> k & 1))
+            parts = joined(sorted((start, end) for start, end, bits in opened if bits >> k & 1))
             if len(parts) > FEW:
                 result.brackets[name] = []
                 parts = [(a, b)]
@@ -90,7 +106,7 @@ class FirstLook:
             import numpy as np
 
             from osculant.cas.zeros.programs import form_program
-            from osculant.kernels.zeros.isolation import Forms
+            from osculant.kernels.enclosures.isolation import Forms
 
             forms = [self.forms[name] for name in names]
             owners: list[int] = []
@@ -113,55 +129,3 @@ class FirstLook:
             rows, leading = np.array(program.outputs), np.searchsorted(owners, range(len(forms)))
             self._programs[names] = table_of(program), Forms(rows, np.array(owners), leading)
         return self._programs[names]
-
-
-def _joined(parts: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Intervals in order, as one where they touch."""
-    found: list[tuple[float, float]] = []
-    for start, end in parts:
-        if found and start <= found[-1][1]:
-            start, end = found[-1][0], max(end, found.pop()[1])
-        found.append((start, end))
-    return found
-
-
-def table_of(program: Program) -> Table:
-    """A program as kernels interpret it.
-
-    >>> from osculant.cas.formulas.parser import parse
-    >>> from osculant.cas.numbers.taylor import program
-    >>> table_of(program([parse("t^2")], 0)).codes.tolist()
-    [1, 4]
-    """
-    import numpy as np
-
-    from osculant.kernels.zeros.enclosures import NAMES
-    from osculant.kernels.zeros.programs import CALL, OPERATIONS, Table
-
-    codes = {name: code for code, name in enumerate(OPERATIONS)}
-    codes |= {f"call {name}": CALL + code for code, name in enumerate(NAMES)}
-    size = len(program.instructions)
-    codes_of, first, second = np.zeros((3, size), dtype=np.int64)
-    table = Table(codes_of, first, second, np.zeros((size, 2)))
-    for i, step in enumerate(program.instructions):
-        if step.op in ("number", "constant"):
-            table.numbers[i] = _ball(step.value)
-        elif step.op == "power":
-            table.numbers[i] = float(step.value), 0.0
-        op = {"call": f"call {step.value}", "constant": "number"}.get(step.op, step.op)
-        table.codes[i] = codes[op]
-        if step.args:
-            table.first[i], table.second[i] = step.args[0], step.args[-1]
-    return table
-
-
-def _ball(value: Any) -> tuple[float, float]:
-    """A rational, pi or e as a double, and how far off it is at most."""
-    if isinstance(value, str):
-        number = math.pi if value == "pi" else math.e
-        return number, math.ulp(number)
-    try:
-        number = float(value)
-    except OverflowError:
-        return math.inf, math.inf
-    return number, 0.0 if Fraction(number) == value else math.ulp(number)

@@ -13,7 +13,7 @@ from osculant.cas.numbers.balls import precision
 from osculant.cas.numbers.fields import Balls
 from osculant.cas.numbers.taylor import program
 from osculant.curves.first_look import table_of
-from osculant.kernels.zeros import enclosures, programs
+from osculant.kernels.enclosures import balls, programs
 
 #: where each function is tried, its singular places among them
 DOMAINS = {
@@ -35,10 +35,10 @@ def holds(found, exact):
 
 
 def test_every_function_is_tried():
-    assert set(DOMAINS) == set(enclosures.NAMES)
+    assert set(DOMAINS) == set(balls.NAMES)
 
 
-@pytest.mark.parametrize("name", enclosures.NAMES)
+@pytest.mark.parametrize("name", balls.NAMES)
 @given(
     part=st.floats(0, 1),
     near=st.sampled_from([0.0, 1e-12, 1e-3]),
@@ -50,7 +50,7 @@ def test_functions(name, part, near, radius, inside):
     low, high = DOMAINS[name]
     middle = low + near if near and part < 0.5 else low + part * (high - low)
     at = middle + inside * radius
-    found = enclosures.function(enclosures.NAMES.index(name), (middle, abs(at - middle)))
+    found = balls.function(balls.NAMES.index(name), (middle, abs(at - middle)))
     with precision(300):
         exact = Balls().function(name)(arb(at))
         if exact.is_finite():
@@ -59,7 +59,7 @@ def test_functions(name, part, near, radius, inside):
 
 def test_a_function_of_a_double_is_known_to_its_last_digits():
     for name, at in (("sin", 1.0), ("exp", 2.0), ("log", 3.0), ("tan", 1.5), ("acosh", 1.5), ("cbrt", -5.0)):
-        middle, radius = enclosures.function(enclosures.NAMES.index(name), (at, 0.0))
+        middle, radius = balls.function(balls.NAMES.index(name), (at, 0.0))
         assert 0 < radius < 20 * math.ulp(middle)
 
 
@@ -72,9 +72,9 @@ def test_beyond_the_domain_nothing_is_claimed(name):
         if name in ("log", "sqrt", "sign")
         else (1.0, 1e-9)
     )
-    assert not enclosures.is_finite(enclosures.function(enclosures.NAMES.index(name), at))
-    assert not enclosures.is_finite(enclosures.function(enclosures.NAMES.index(name), (math.nan, 0.0)))
-    assert not enclosures.is_finite(enclosures.function(enclosures.NAMES.index("sin"), (0.0, math.inf)))
+    assert not balls.is_finite(balls.function(balls.NAMES.index(name), at))
+    assert not balls.is_finite(balls.function(balls.NAMES.index(name), (math.nan, 0.0)))
+    assert not balls.is_finite(balls.function(balls.NAMES.index("sin"), (0.0, math.inf)))
 
 
 FORMULAS = [

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from osculant.kernels.enclosures.balls import Ball, add, div, function, mul, power, sub
 from osculant.kernels.jit import kernel
-from osculant.kernels.zeros.enclosures import Ball, add, div, function, mul, power, sub
 
 #: codes of instructions; those of elementary functions are beyond them
 OPERATIONS = ("number", "variable", "add", "sub", "mul", "div", "neg", "power")

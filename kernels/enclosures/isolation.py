@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from osculant.kernels.enclosures.balls import Ball, add, div, excludes_zero, mul
+from osculant.kernels.enclosures.programs import Table, run, value
 from osculant.kernels.jit import kernel
-from osculant.kernels.zeros.enclosures import Ball, add, div, excludes_zero, mul
-from osculant.kernels.zeros.programs import Table, run, value
 
 #: boxes are divided here, not in the middle, where formulas like to have their special points
 CUT = 0.48713

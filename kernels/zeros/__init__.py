@@ -1,1 +1,0 @@
-"""Zeros of functions given by Taylor programs, isolated in enclosures of doubles."""

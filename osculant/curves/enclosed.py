@@ -1,0 +1,132 @@
+"""A curve in enclosures of doubles: where it is surely finite, and where it is nearly a polynomial."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from osculant.cas.numbers.parts import FIRST, NARROWEST, ORDER, WORK_LIMIT
+
+if TYPE_CHECKING:
+    from osculant.cas.numbers.balls import FormulaBalls
+    from osculant.cas.numbers.taylor import Program
+    from osculant.kernels.enclosures.programs import Table
+
+#: boxes that are looked at for whether the curve is finite, unclear ones at most, and how narrow they get
+VISITS, UNCLEAR, LEAST = 4096, 32, 2.0**-40
+
+
+class Enclosed:
+    """Taylor coefficients of a curve's coordinates in enclosures of doubles (`osculant.kernels.enclosures`).
+
+    Args:
+        curve: in ball arithmetic, for its program.
+
+    >>> from osculant.cas.formulas.parser import parse_tuple
+    >>> from osculant.cas.jets.balls import CurveBalls
+    >>> hyperbola = Enclosed(CurveBalls(parse_tuple("t, 1/t")))
+    >>> hyperbola.unclear(0.5, 1.0), [a < 0 < b for a, b in hyperbola.unclear(-1.0, 1.0)]
+    ([], [True])
+    """
+
+    def __init__(self, curve: FormulaBalls[Any]) -> None:
+        self.curve = curve
+
+    @cached_property
+    def _program(self) -> tuple[Table, Any]:
+        program = self.curve.program(ORDER)
+        return table_of(program), np.array(program.outputs)
+
+    @cached_property
+    def _values(self) -> Any:
+        return np.empty((len(self._program[0].codes), 2))
+
+    def unclear(self, low: float, high: float) -> list[tuple[float, float]] | None:
+        """Narrow intervals of [low, high] outside of which all coefficients are finite; None if many."""
+        from osculant.kernels.enclosures.parts import unclear
+
+        boxes, least = np.empty((UNCLEAR, 2)), LEAST * (high - low)
+        pending = np.empty((128, 2))
+        count = unclear(*self._program, low, high, least, VISITS, boxes, pending, self._values)
+        return None if count < 0 else joined([(a, b) for a, b in boxes[:count].tolist()])
+
+    def parts(self, low: float, high: float, accuracy: float) -> list[float]:
+        """Edges of parts of [low, high] on which the curve is a polynomial to the accuracy.
+
+        They are found as `osculant.cas.numbers.parts.polynomial_parts` does it in ball arithmetic.
+
+        >>> from osculant.cas.formulas.parser import parse_tuple
+        >>> from osculant.cas.jets.balls import CurveBalls
+        >>> len(Enclosed(CurveBalls(parse_tuple("t, t^2"))).parts(0.0, 1.0, 1e-3))
+        17
+        """
+        from osculant.kernels.enclosures.parts import polynomial_parts
+
+        begun = [low + (high - low) * i / FIRST for i in range(FIRST)] + [high]
+        pending, edges = np.empty((WORK_LIMIT, 2)), np.empty(WORK_LIMIT)
+        pending[:FIRST, 0], pending[:FIRST, 1] = begun[:-1], begun[1:]
+        least = NARROWEST * (high - low)
+        count = polynomial_parts(
+            *self._program, accuracy, least, WORK_LIMIT, edges, pending, FIRST, self._values
+        )
+        return sorted([*begun, *edges[:count].tolist()])
+
+
+def joined(parts: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Intervals in order, as one where they touch.
+
+    >>> joined([(0.0, 1.0), (1.0, 2.0), (3.0, 4.0)])
+    [(0.0, 2.0), (3.0, 4.0)]
+    """
+    found: list[tuple[float, float]] = []
+    for start, end in parts:
+        if found and start <= found[-1][1]:
+            start, end = found[-1][0], max(end, found.pop()[1])
+        found.append((start, end))
+    return found
+
+
+def table_of(program: Program) -> Table:
+    """A program as kernels interpret it.
+
+    >>> from osculant.cas.formulas.parser import parse
+    >>> from osculant.cas.numbers.taylor import program
+    >>> table_of(program([parse("t^2")], 0)).codes.tolist()
+    [1, 4]
+    """
+    from osculant.kernels.enclosures.balls import NAMES
+    from osculant.kernels.enclosures.programs import CALL, OPERATIONS, Table
+
+    numbers = {name: code for code, name in enumerate(OPERATIONS)}
+    numbers |= {f"call {name}": CALL + code for code, name in enumerate(NAMES)}
+    steps = program.instructions
+    codes, first, second = np.zeros((3, len(steps)), dtype=np.int64)
+    balls = np.zeros((len(steps), 2))
+    for i, step in enumerate(steps):
+        op = step.op
+        if op in ("number", "constant"):
+            balls[i], op = _ball(step.value), "number"
+        elif op == "power":
+            balls[i, 0] = float(step.value)
+        elif op == "call":
+            op = f"call {step.value}"
+        codes[i] = numbers[op]
+        if step.args:
+            first[i], second[i] = step.args[0], step.args[-1]
+    return Table(codes, first, second, balls)
+
+
+def _ball(value: Any) -> tuple[float, float]:
+    """A rational, pi or e as a double, and how far off it is at most."""
+    if isinstance(value, str):
+        number = math.pi if value == "pi" else math.e
+        return number, math.ulp(number)
+    try:
+        number = float(value)
+    except OverflowError:
+        return math.inf, math.inf
+    return number, 0.0 if Fraction(number) == value else math.ulp(number)
