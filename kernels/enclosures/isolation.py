@@ -19,6 +19,8 @@ from osculant.kernels.jit import kernel
 CUT = 0.48713
 #: the smallest box, in parts of the interval, and units of the larger end that it must be wide
 SMALLEST, RESOLVED = 2.0**-32, 2.0**-46
+#: which `model`: numba would compile for each whole number anew
+FORM, SLOPE = 0.0, 1.0
 #: steps for one zero, and units of its place within which it is known
 STEPS, KNOWN = 60, 2.0**-50
 
@@ -55,14 +57,13 @@ class Found(NamedTuple):
 
 @kernel
 def model(
-    at: np.ndarray[Any, Any], over: np.ndarray[Any, Any], row: np.ndarray[Any, Any], h: Ball, slope: int
+    at: np.ndarray[Any, Any], over: np.ndarray[Any, Any], row: np.ndarray[Any, Any], h: Ball, slope: float
 ) -> Ball:
     """The Taylor model of a row, or of its derivative if ``slope`` is 1, over a box of half width h."""
-    last = row.shape[0] - 1
-    factor = float(last) if slope == 1 else 1.0
-    total = mul((factor, 0.0), (over[row[last], 0], over[row[last], 1]))
-    for k in range(last - 1, slope - 1, -1):
-        factor = float(k) if slope == 1 else 1.0
+    last, first = row.shape[0] - 1, int(slope)
+    total = mul((1.0 + slope * (last - 1), 0.0), (over[row[last], 0], over[row[last], 1]))
+    for k in range(last - 1, first - 1, -1):
+        factor = 1.0 + slope * (k - 1)
         total = add(mul((factor, 0.0), (at[row[k], 0], at[row[k], 1])), mul(h, total))
     return total
 
@@ -107,11 +108,11 @@ def examined(
     monotone = 0
     for i in range(forms.rows.shape[0]):
         bit = 1 << forms.owners[i]
-        if open_forms & bit and excludes_zero(model(room.at, room.over, forms.rows[i], h, 0)):
+        if open_forms & bit and excludes_zero(model(room.at, room.over, forms.rows[i], h, FORM)):
             open_forms &= ~bit
     for k in range(forms.leading.shape[0]):
         row = forms.rows[forms.leading[k]]
-        if open_forms & (1 << k) and excludes_zero(model(room.at, room.over, row, h, 1)):
+        if open_forms & (1 << k) and excludes_zero(model(room.at, room.over, row, h, SLOPE)):
             monotone |= 1 << k
     return open_forms, monotone
 

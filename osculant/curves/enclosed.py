@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -47,12 +48,8 @@ class Enclosed:
 
     def unclear(self, low: float, high: float) -> list[tuple[float, float]] | None:
         """Narrow intervals of [low, high] outside of which all coefficients are finite; None if many."""
-        from osculant.kernels.enclosures.parts import unclear
-
-        boxes, least = np.empty((UNCLEAR, 2)), LEAST * (high - low)
-        pending = np.empty((128, 2))
-        count = unclear(*self._program, low, high, least, VISITS, boxes, pending, self._values)
-        return None if count < 0 else joined([(a, b) for a, b in boxes[:count].tolist()])
+        _, left = self._halved([low, high], sys.float_info.max, LEAST * (high - low), VISITS)
+        return None if left is None else joined(sorted(left))
 
     def parts(self, low: float, high: float, accuracy: float) -> list[float]:
         """Edges of parts of [low, high] on which the curve is a polynomial to the accuracy.
@@ -64,16 +61,24 @@ class Enclosed:
         >>> len(Enclosed(CurveBalls(parse_tuple("t, t^2"))).parts(0.0, 1.0, 1e-3))
         17
         """
+        begun = [low + (high - low) * i / FIRST for i in range(FIRST)] + [high]
+        edges, _ = self._halved(begun, accuracy, NARROWEST * (high - low), WORK_LIMIT)
+        return sorted([*begun, *edges])
+
+    def _halved(
+        self, edges: list[float], accuracy: float, least: float, most: int
+    ) -> tuple[list[float], list[tuple[float, float]] | None]:
+        """New edges, and the parts that are not polynomials to the accuracy; None if these are many."""
         from osculant.kernels.enclosures.parts import polynomial_parts
 
-        begun = [low + (high - low) * i / FIRST for i in range(FIRST)] + [high]
-        pending, edges = np.empty((WORK_LIMIT, 2)), np.empty(WORK_LIMIT)
-        pending[:FIRST, 0], pending[:FIRST, 1] = begun[:-1], begun[1:]
-        least = NARROWEST * (high - low)
-        count = polynomial_parts(
-            *self._program, accuracy, least, WORK_LIMIT, edges, pending, FIRST, self._values
+        count = len(edges) - 1
+        pending, new, left = np.empty((most + 1, 2)), np.empty(most), np.empty((UNCLEAR, 2))
+        pending[:count, 0], pending[:count, 1] = edges[:-1], edges[1:]
+        found, remaining = polynomial_parts(
+            *self._program, accuracy, least, most, count, pending, new, left, self._values
         )
-        return sorted([*begun, *edges[:count].tolist()])
+        parts = [(a, b) for a, b in left[:remaining].tolist()]
+        return new[:found].tolist(), parts if remaining <= UNCLEAR else None
 
 
 def joined(parts: list[tuple[float, float]]) -> list[tuple[float, float]]:
