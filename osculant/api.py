@@ -67,9 +67,9 @@ def approximate(
             "area" "equisymmetric" (the default; both moons are equal) or "minimal-area"; of bihelices
             "equioscillating" (the default) or "thesis".
         metric: "hausdorff", the distance, in the units of the coordinates; or "area", the area between the
-            curve and the spline, of the whole curve: n pieces have areas of at most tolerance/n each. It is
-            that of the regions between each piece and its arc of the curve, also where the curve crosses
-            itself.
+            curve and the spline, of the whole curve, in which the areas of all pieces add up: the number is
+            the least for which the spline of so many ``pieces`` is within the tolerance. Areas are those of
+            the regions between each piece and its arc of the curve, also where the curve crosses itself.
         closed: True joins the ends of a closed curve, which then begins where that takes the fewest pieces;
             its knots may lie beyond the interval by less than a period. By default it is found out.
         split: "theory" has a knot at every point where theory needs one (sextactic points for conics, zeros

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from osculant.approximation.equal_errors import equalise
-from osculant.approximation.runs import Part, Progress, Run, share
+from osculant.approximation.runs import Part, Progress, Run, share, whole_error
 from osculant.cas.errors import DomainError, UndecidedError
 
 #: greedy pieces are checked for one too many only up to so many of them
@@ -54,6 +54,33 @@ def fewer(part: Part, run: Run, tolerance: float, few: int) -> Run:
             break
         run = less
     return run
+
+
+def fewer_in_all(parts: Sequence[Part], runs: Sequence[Run], tolerance: float) -> list[Run] | None:
+    """The fewest pieces with areas of at most the tolerance in all; None if no fewer than in the runs.
+
+    Among so many pieces those with the least largest area, as `given_pieces` finds them: the first to be left
+    out is the one without which the largest area of its stretch is least.
+    """
+    found = None
+    counts = [len(run) for run in runs]
+    seen: dict[tuple[int, int], Run] = {}
+
+    def equal(i: int, count: int) -> Run:
+        if (i, count) not in seen:
+            seen[i, count] = runs[i] if parts[i].exact else equalise(parts[i], count)
+        return seen[i, count]
+
+    def error_without(i: int) -> float:
+        return equal(i, counts[i] - 1).error
+
+    while shrinking := [i for i, part in enumerate(parts) if not part.exact and counts[i] > part.least]:
+        counts[min(shrinking, key=error_without)] -= 1
+        less = [equal(i, count) for i, count in enumerate(counts)]
+        if not whole_error(less, 2) <= tolerance:
+            break
+        found = less
+    return found
 
 
 def may_be_less(part: Part, run: Run, low: float, high: float, level: float) -> bool:

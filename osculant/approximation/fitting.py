@@ -10,6 +10,7 @@ from osculant.approximation.allocation import (
     CHECKED_PIECES,
     check_least,
     fewer,
+    fewer_in_all,
     fewest,
     given_pieces,
     may_be_less,
@@ -109,6 +110,21 @@ class Fitting:
         return self._from_elsewhere(found, tolerance, lambda count: tolerance)
 
     def for_area(self, tolerance: float, progress: Progress | None = None) -> Fitted:
+        """The least n for which the n pieces of `for_number` have areas of the tolerance in all.
+
+        No more than suffice if each has at most the tolerance/n (thesis 3.7), which is exact on one stretch.
+        Several do not share the area equally: there pieces are left out one by one while the rest will do.
+        """
+        found = self._alike(tolerance, progress)
+        if self.circuit is not None:
+            return self._from_elsewhere(found, tolerance, lambda count: tolerance / count)
+        alike = len(self.parts) == 1 and self.fit.primitive.monotone and not self.division.unsplit
+        if alike or found.count > CHECKED_PIECES:
+            return found
+        runs = fewer_in_all(self.parts, found.runs, tolerance)
+        return found if runs is None else replace(found, runs=runs)
+
+    def _alike(self, tolerance: float, progress: Progress | None) -> Fitted:
         """The least n such that n pieces with areas up to tolerance/n suffice (thesis 3.7), and its pieces.
 
         The number at one n is a lower bound of all larger solutions: going on with it finds the least.
@@ -123,9 +139,7 @@ class Fitting:
             if progress is not None:
                 progress(min(1.0, count / fitted.count))
             if fitted.count <= count:
-                if fitted.count > beaten + 1:
-                    fitted = self._without_window(fitted, tolerance)
-                return self._from_elsewhere(fitted, tolerance, lambda count: tolerance / count)
+                return self._without_window(fitted, tolerance) if fitted.count > beaten + 1 else fitted
             count = fitted.count
         raise UndecidedError(
             f"The number of pieces for the area {tolerance:g} did not settle: choose another tolerance."
@@ -177,8 +191,11 @@ class Fitting:
         while (count := found.count - 1) >= max(1, found.parts[0].least):
             start, decided = self.circuit.start_within(level(count) * (1 + NEAR), count)
             if start is None:
-                return replace(found, certain=found.certain and decided)
-            less = self._fewer_from(start, level(count), count) or self.for_number(count)
+                found = replace(found, certain=found.certain and decided)
+                if decided or self.fit.degree == 1:
+                    return found
+            less = None if start is None else self._fewer_from(start, level(count), count)
+            less = less or self.for_number(count)
             if not whole_error(less.runs, self.fit.degree) <= tolerance:
                 return replace(found, certain=False)
             found = replace(less, certain=found.certain, gap=None)

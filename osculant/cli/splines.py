@@ -99,10 +99,7 @@ def _minimal(spline: Spline) -> str:
     """Whether the number of pieces is the least, or what else is, and among which splines."""
     if spline.minimal == "unknown":
         return spline.minimal
-    if spline.given == "pieces":
-        return f"{spline.minimal} (the largest error of a piece)"
-    shares = spline.metric == "area" and spline.splits and spline.minimal != "proved"
-    return f"{spline.minimal}{' (with at most tolerance/pieces each)' if shares else ''}"
+    return f"{spline.minimal} (the largest error of a piece)" if spline.given == "pieces" else spline.minimal
 
 
 def _size(spline: Spline) -> list[tuple[str, str]]:

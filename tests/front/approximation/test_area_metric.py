@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from shapely.geometry import LineString
 from shapely.ops import polygonize, unary_union
 
@@ -80,12 +82,16 @@ def test_the_spiral_as_in_table_3_2(primitive, counts):
 
 @pytest.mark.parametrize(
     ("primitive", "counts"),
-    [("parabola", (8, 14, 24, 40, 72, 128)), ("conic", (4, 6, 8, 12, 18, 26))],
+    [("parabola", (8, 13, 23, 40, 72, 127)), ("conic", (4, 5, 8, 11, 17, 26))],
 )
 def test_the_whole_sextic_as_in_table_3_4(primitive, counts):
+    """With the same area for every piece both halves had the same number, up to 14, 24, 128 and 6, 12, 18."""
+    curve = osc.curve(*SEXTIC)
     for power, count in enumerate(counts, 1):
-        spline = osc.approximate(osc.curve(*SEXTIC), primitive, 10.0**-power, metric="area", split_at=[0])
-        assert len(spline) == count
+        spline = osc.approximate(curve, primitive, 10.0**-power, metric="area", split_at=[0])
+        assert len(spline) == count and spline.error <= 10.0**-power
+        less = osc.approximate(curve, primitive, pieces=count - 1, metric="area", split_at=[0])
+        assert less.error > 10.0**-power
 
 
 @pytest.mark.parametrize(
@@ -97,6 +103,64 @@ def test_one_piece_less_does_not_do(primitive, rule):
     fewer = osc.approximate(curve, primitive, pieces=len(spline) - 1, metric="area", rule=rule)
     assert len(fewer) * max(fewer.errors) > 1e-5
     assert spline.minimal == "unknown"  # no theorem is about sums
+
+
+LEAST = [
+    ("2*cos(t) - cos(2*t), 2*sin(t) - sin(2*t)", 0, "2*pi", "biarc", 1e-4),
+    ("2*cos(t) - cos(2*t), 2*sin(t) - sin(2*t)", 0, "2*pi", "conic", 1e-3),
+    ("cos(t), sin(2*t)", 0, "2*pi", "conic", 1e-6),
+    ("cos(t), sin(2*t)", 0, "2*pi", "parabola", 1e-4),
+    ("cos(t)^3, sin(t)^3", 0, "2*pi", "polygon", 1e-2),
+    ("t, sin(t) + sin(3*t)/5", 0, 7, "biarc", 1e-3),
+    ("2*cos(t), sin(t)", 0, "2*pi", "parabola", 1e-3),
+    ("t, t^3 - t^2", "-1", 2, "polygon", 1e-2),
+    ("t, sin(t)", 0, 7, "cubic", 1e-3),
+]
+
+
+@pytest.mark.parametrize(("formula", "low", "high", "primitive", "tolerance"), LEAST)
+def test_the_number_is_the_least_whose_best_spline_is_within_the_area(
+    formula, low, high, primitive, tolerance
+):
+    """Of so many pieces, and of one less, as they are found when their number is given."""
+    curve = osc.curve(formula, low, high)
+    spline = osc.approximate(curve, primitive, tolerance, metric="area")
+    assert spline.error <= tolerance
+    same, less = (
+        osc.approximate(curve, primitive, pieces=len(spline) - k, metric="area").error for k in (0, 1)
+    )
+    assert same <= tolerance < less
+
+
+def test_stretches_do_not_share_the_area_equally():
+    """With the tolerance/n each the cardioid takes 46."""
+    cardioid = osc.curve("2*cos(t) - cos(2*t), 2*sin(t) - sin(2*t)", 0, "2*pi")
+    spline = osc.approximate(cardioid, "biarc", 1e-4, metric="area")
+    assert (len(spline), spline.minimal) == (45, "unknown")
+    assert max(spline.errors) > 1e-4 / 45
+
+
+@settings(max_examples=10, deadline=None)
+@given(
+    st.floats(0.05, 0.9),
+    st.integers(2, 4),
+    st.floats(-5, -1.5),
+    st.sampled_from(["conic", "parabola", "biarc", "polygon"]),
+)
+def test_it_is_so_on_other_closed_curves(depth, waves, power, primitive):
+    curve = osc.curve(
+        f"(1 + {depth!r}*cos({waves}*t))*cos(t), (1 + {depth!r}*cos({waves}*t))*sin(t)", 0, "2*pi"
+    )
+    tolerance = 10.0**power
+    spline = osc.approximate(curve, primitive, tolerance, metric="area")
+    assert spline.error <= tolerance
+    if len(spline) > len(spline.splits) + 1:  # there is one less to ask for
+        try:
+            less = osc.approximate(curve, primitive, pieces=len(spline) - 1, metric="area")
+        except DomainError as error:
+            assert "takes at least" in str(error)
+        else:
+            assert less.error > tolerance
 
 
 def test_a_curve_that_crosses_itself_counts_arc_by_arc():
