@@ -31,8 +31,8 @@ from osculant.kernels.jit import kernel
 LARGEST_TURN, LARGEST_PART, TOLD, LARGEST_STEP = 0.35, 0.3, 1e-10, 0.3
 #: visits of one extreme at most, and the relative correction of its height that ends them
 VISITS, SETTLED = 24, 1e-7
-#: rounds of the search for μ, and its accuracy
-ROUNDS, BALANCED = 80, 1e-12
+#: rounds of the search for μ, and what ends it: the sum of the peaks, in parts of them, or the bracket
+ROUNDS, BALANCED, NARROW = 80, 1e-12, 2.0**-50
 #: where no μ makes the peaks equal, the best is taken of those this far from 0 and 1: shorter arcs are no use
 LOPSIDED = 0.02
 #: units of the coordinates' noise by which a foot may miss the biarc
@@ -204,7 +204,9 @@ def best(
         if abs(excess) <= BALANCED * size:
             kept = mu
             break
-        if high - low <= BALANCED:
+        if high - low <= NARROW:
+            if size < least and math.isfinite(excess_low) and math.isfinite(excess_high):
+                kept = mu  # equal as far as doubles near 1 can tell
             break
         if step == 0 and size <= source.place.noise:
             break  # rounding says nothing about μ

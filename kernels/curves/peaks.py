@@ -12,8 +12,9 @@ import numpy as np
 
 from osculant.kernels.jit import kernel
 
-#: numbers of a row, what is seen from one point and its parameter value; rows
-ROW_SIZE, ROWS = 12, 400
+#: numbers of a row, what is seen from one point and its parameter value; rows, twice as many as a course
+#: asks for at most (`osculant.kernels.course.MOST_POINTS`): there is room for samples between
+ROW_SIZE, ROWS = 12, 800
 #: (rows for samples, stack for intervals): what `workspace` makes
 Space = tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]
 #: intervals are cut in two at most this often, one within the other
