@@ -17,7 +17,7 @@ from osculant.approximation.runs import whole_error
 from osculant.cas.errors import DomainError
 from osculant.primitives.table import choose
 from osculant.spline import Minimal, Prediction, Spline
-from osculant.tolerances import FLOOR_ULPS, check_floor, writing_share
+from osculant.tolerances import FLOOR_ULPS, check_floor, window, writing_share
 
 if TYPE_CHECKING:
     from osculant.approximation.fitting import Fitted
@@ -110,7 +110,7 @@ def approximate_curve(
         tolerance=asked,
         reserved=reserved if count is None else 0.0,
         pieces=tuple(found.pieces()),
-        judge=lambda: _minimal(curve, found, fit, rounding, count is None),
+        judge=lambda: _minimal(curve, found, fit, rounding, allowed if count is None else None),
         undecided=found.division.undecided,
         bridged=found.division.bridged,
         splits=found.division.splits,
@@ -151,21 +151,30 @@ def check_areas(curve: FormulaCurve, size: Extent, fit: Fit) -> None:
         )
 
 
-def _minimal(curve: FormulaCurve, found: Fitted, fit: Fit, rounding: float, by_tolerance: bool) -> Minimal:
-    """Whether the number of pieces, or, if that was given, their error, is the least."""
+def _minimal(
+    curve: FormulaCurve, found: Fitted, fit: Fit, rounding: float, tolerance: float | None
+) -> Minimal:
+    """Whether the number of pieces, or, if that was given and no tolerance, their error, is the least."""
     division, error = found.division, whole_error(found.runs, 1)
-    if by_tolerance and found.count == 1:
+    if tolerance is not None and found.count == 1:
         return "proved"
     if division.undecided or division.bridged or not division.proved:
         return "unknown"
-    if by_tolerance and found.count == len(division.stretches):
+    if tolerance is not None and found.count == len(division.stretches):
         return "proved"  # every stretch takes at least one piece
-    if not by_tolerance and error == 0:
+    if tolerance is None and error == 0:
         return "proved"  # no errors are less
-    if fit.theorem is None or (by_tolerance and fit.degree == 2):
+    if fit.theorem is None or (tolerance is not None and fit.degree == 2):
         return "unknown"  # no theorem is about sums of areas
-    if not by_tolerance and error < FLOOR_ULPS * rounding:
+    if tolerance is None and error < FLOOR_ULPS * rounding:
         return "unknown"  # errors that rounding may have made
     if not found.certain or division.unsplit or any(part.exact for part in found.parts):
         return "unknown"
-    return "by theory" if hold(fit.theorem, curve, found) else "unknown"
+    if hold(fit.theorem, curve, found):
+        return "by theory"
+    if tolerance is None:
+        return "unknown"
+    from osculant.approximation.backward import from_the_end  # it loads the kernels
+
+    other = from_the_end(found, window(tolerance, rounding)[1])  # either way will do
+    return "by theory" if other is not None and hold(fit.theorem, curve, other) else "unknown"

@@ -16,6 +16,7 @@ from osculant.approximation.allocation import (
     may_be_less,
 )
 from osculant.approximation.arcs import Arcs
+from osculant.approximation.backward import either_way
 from osculant.approximation.bridges import Bridge
 from osculant.approximation.circuits import Circuit
 from osculant.approximation.coordinates import Coordinates
@@ -104,7 +105,12 @@ class Fitting:
         for i, part in enumerate(self.parts):
             run, sure = fewest(part, *ends, tolerance, share_of(progress, i, len(self.parts)))
             kind = self.fit.primitive
-            runs.append(run if kind.monotone else fewer(part, run, tolerance, kind.few))
+            if not kind.monotone:
+                run = fewer(part, run, tolerance, kind.few)
+            elif run.limited:
+                run = either_way(part, run, ends[1])
+                sure = not run.limited
+            runs.append(run)
             certain &= sure
         found = Fitted(self.division, self.parts, runs, certain)
         return self._from_elsewhere(found, tolerance, lambda count: tolerance)
