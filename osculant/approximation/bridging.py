@@ -34,8 +34,14 @@ STRAIGHTEST = 1e-6
 STRAIGHT = 0.02
 #: what a curve may turn by, in radians, next to its end: within this part of what is passed over
 HOOK, NEXT = 0.02, 2.0**-9
-#: boxes in which an arc is enclosed, and a curve that may be flat, and the terms of the Taylor forms there
-BOXES, FLAT_BOXES, TERMS = 8, 64, 6
+#: boxes in which an arc is enclosed: few, more where these tell nothing
+BOXES = (8, 32, 128, 512)
+#: boxes in which a curve that may be flat is enclosed, and the terms of the Taylor forms there and above
+FLAT_BOXES, TERMS = 64, 6
+#: an arc that is passed over, margins and all, is at most so many times as large as one between knots
+WHOLE = 2
+#: how far margins go towards the next knot, and towards one passed over too; halved so often if too large
+ALONE, SHARED, SHORTENED = 31 / 32, 15 / 32, 8
 #: where a curve is looked at first, in parts of its interval
 PROBES = (0.25, 0.5, 0.75)
 #: bisections that find where an arc that is passed over begins and ends
@@ -99,22 +105,42 @@ def blemishes(
         else:
             groups.append([place])
     spans = [(group[0][0], group[-1][0]) for group in groups]
-    found = []
-    for i, (group, (low, high)) in enumerate(zip(groups, spans)):
+    small = []
+    for i, (group, (low, _)) in enumerate(zip(groups, spans)):
         lone = len(group) == 1 and as_float(low) not in stuck
         if lone and not closed and len(groups) > 1 and i in (0, len(groups) - 1):
             lone = not _is_hook(curve, low, spans[1][0] if i == 0 else spans[-2][1], extent * NEXT)
-        if lone or len(groups) == 1 or any(asked for _, asked in group):
-            continue
+        if not (lone or len(groups) == 1 or any(asked for _, asked in group)):
+            small.append(i)
+    found = []
+    for i in small:
         before = spans[i - 1][1] if i > 0 else None
         after = spans[i + 1][0] if i + 1 < len(spans) else None
         if closed and (before is None or after is None):
             continue
-        first = low if before is None else _away(curve, low, (before + 2 * low) / 3, extent / 2)
-        last = high if after is None else _away(curve, high, (2 * high + after) / 3, extent / 2)
-        reach = _reach(curve, first, last, math.inf)
-        found.append(Blemish(first, last, reach, before is None, after is None))
+        shares = [SHARED if j in small else ALONE for j in (i - 1, i + 1)]
+        arc = _with_margins(curve, *spans[i], (before, after), shares, extent)
+        if arc is not None:
+            found.append(Blemish(*arc, before is None, after is None))
     return found
+
+
+def _with_margins(
+    curve: FormulaCurve, low: Any, high: Any, knots: tuple[Any, Any], shares: Sequence[float], extent: float
+) -> tuple[Any, Any, float] | None:
+    """(first, last, reach) of an arc and of what is near on either side; None if no bound shows it small.
+
+    The next knots are None at the ends of the curve; the margins go so far towards them at most.
+    """
+    for i in range(SHORTENED):
+        first, last = (
+            at if knot is None else _away(curve, at, at + (knot - at) * share * 2.0**-i, extent / 2)
+            for at, knot, share in zip((low, high), knots, shares)
+        )
+        reach = _reach(curve, first, last, WHOLE * extent)
+        if reach < math.inf:
+            return first, last, reach
+    return None
 
 
 def meeting(before: Sequence[float], after: Sequence[float]) -> tuple[float, tuple[float, ...]] | None:
@@ -168,17 +194,21 @@ def _point(curve: FormulaCurve, t: Any) -> tuple[float, ...]:
 
 
 def _reach(curve: FormulaCurve, low: Any, high: Any, most: float) -> float:
-    """A bound of the distances between points of the arc; infinite if it is seen to be more than ``most``."""
-    if math.dist(_point(curve, low), _point(curve, high)) > most:
-        return math.inf
-    sides = []
-    for parts in zip(*(rows for rows, _ in _boxes(curve, low, high))):
-        side = parts[0]
-        for part in parts[1:]:
-            side = side.union(part)
-        sides.append(2 * float(side.rad()))
-    size = math.hypot(*sides)
-    return size if size <= most else math.inf
+    """A bound of the distances between points of the arc; infinite if ``most`` is none."""
+    for count in BOXES:
+        points = zip(*(_point(curve, low + (high - low) * i / count) for i in range(count + 1)))
+        if math.hypot(*(max(side) - min(side) for side in points)) > most:
+            break
+        sides = []
+        for boxes in zip(*(rows for rows, _ in _boxes(curve, low, high, count))):
+            side = boxes[0]
+            for box in boxes[1:]:
+                side = side.union(box)
+            sides.append(2 * float(side.rad()))
+        size = math.hypot(*sides)
+        if size <= most:
+            return size
+    return math.inf
 
 
 @kept
@@ -224,7 +254,7 @@ def width(curve: FormulaCurve, most: float = math.inf) -> float:
 
 
 def _boxes(
-    curve: FormulaCurve, low: Any, high: Any, count: int = BOXES, combined: Any = list
+    curve: FormulaCurve, low: Any, high: Any, count: int, combined: Any = list
 ) -> Iterator[tuple[list[Any], list[Any]]]:
     """Enclosures of the curve, and of its derivative, on equal parts of [low, high].
 

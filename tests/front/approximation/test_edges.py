@@ -224,3 +224,21 @@ def test_the_tangent_on_both_sides_takes_as_many_biarcs():
     formulas = "t, tan(t)", "pi/2-1/1000000-t, tan(pi/2-1/1000000-t)"
     splines = [osc.approximate(osc.curve(f, 0, "pi/2-1/1000000"), "biarc", 1) for f in formulas]
     assert len(splines[0]) == len(splines[1]) and splines[0].minimal == splines[1].minimal
+
+
+@pytest.mark.parametrize("primitive", ["biarc", "cubic", "conic"])
+@pytest.mark.parametrize(
+    "formula", ["exp(-t/50)*cos(t), exp(-t/50)*sin(t)", "exp(t/50)*cos(t), exp(t/50)*sin(t)"]
+)
+def test_many_turns_below_the_tolerance_are_passed_over_at_their_true_size(formula, primitive):
+    low, high = (0, "200*pi") if "-" in formula else (-628, 0)
+    spline = osc.approximate(osc.curve(formula, low, high), primitive, 1e-2)
+    assert spline.error <= 1e-2
+    for first, last, extent in spline.bridged:
+        t = np.linspace(first, last, 5001)
+        points = spline.curve.jets(t)[..., 0]
+        size = max(np.linalg.norm(points - point, axis=1).max() for point in points[::50])
+        assert size <= extent <= 5e-3
+    if primitive == "cubic":  # others may be unable to turn towards the end
+        [(first, last, _)] = spline.bridged
+        assert last - first > 250 and len(spline) < 120
