@@ -1,4 +1,4 @@
-"""Arcs of conics as exact rational curves: differences from them as polynomials, feet of perpendiculars."""
+"""Arcs of conics as exact rational curves: differences from them as polynomials."""
 
 from __future__ import annotations
 
@@ -8,9 +8,7 @@ from typing import Any
 
 from flint import arb
 
-from osculant.cas.geometry.feet import foot_between
-
-Pair = tuple[float, float]
+from osculant.cas.geometry.feet import Pair
 
 
 @dataclass(frozen=True)
@@ -61,23 +59,19 @@ class ConicArc:
         x, y = (total * p - one * a - two * c for a, c, p in zip(*self.legs(), point))
         return x, y, total * total
 
-    def foot(self, point: Pair, low: float, high: float) -> float:
-        """About where the distance from P₀ + ``point`` is least between two parameters.
+    def at(self, v: float) -> tuple[Pair, Pair]:
+        """X(v) − P₀ and X′(v), rounded.
 
-        >>> ConicArc((0.0, 0.0), (1.0, 0.0), (2.0, 0.0), 1.0).foot((0.5, 7.0), 0.0, 1.0)
-        0.25
+        >>> ConicArc((0.0, 0.0), (1.0, 0.0), (2.0, 0.0), 1.0).at(0.25)
+        ((0.5, 0.0), (2.0, 0.0))
         """
         w, (a, c) = self.weight, self._rounded
-
-        def along(v: float) -> tuple[float, float]:
-            r = 1 - v
-            total = (r - v) ** 2 + (1 + w) * 2 * r * v
-            # X′ = 2(r²A + rvC + v²B)/W² with B = wC − A
-            dx, dy = (2 * ((r * r - v * v) * a[i] + (r * v + v * v * w) * c[i]) / total**2 for i in (0, 1))
-            x, y = (point[i] - (2 * v * r * a[i] + v * v * c[i]) / total for i in (0, 1))
-            return x * dx + y * dy, dx * dx + dy * dy
-
-        return foot_between(along, low, high)
+        r = 1 - v
+        total = (r - v) ** 2 + (1 + w) * 2 * r * v
+        x, y = ((2 * v * r * a[i] + v * v * c[i]) / total for i in (0, 1))
+        # X′ = 2(r²A + rvC + v²B)/W² with B = wC − A
+        dx, dy = (2 * ((r * r - v * v) * a[i] + (r * v + v * v * w) * c[i]) / total**2 for i in (0, 1))
+        return (x, y), (dx, dy)
 
     def near_ends(self, beyond: Any) -> Any:
         """A bound of |X(v) − P₀| for |v| ≤ beyond, and of |X(v) − P₂| for |v − 1| ≤ beyond."""

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from osculant.cas.geometry.bitangent import bracket
 
 if TYPE_CHECKING:
-    from osculant.cas.geometry.arc_distance import Coefficients
+    from osculant.cas.geometry.point_distance import Coefficients
 
 #: an arc is cut in two at most this often
 CUTS = 1000

@@ -1,4 +1,4 @@
-"""Cubic Bézier curves as exact polynomials: differences from them, feet of perpendiculars."""
+"""Cubic Bézier curves as exact polynomials: differences from them."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from typing import Any
 
 from flint import arb
 
-from osculant.cas.geometry.conic_arcs import Pair
-from osculant.cas.geometry.feet import foot_between
+from osculant.cas.geometry.feet import Pair
 
 
 @dataclass(frozen=True)
@@ -58,25 +57,22 @@ class CubicArc:
         )
         return x, y, 0 * v + 1
 
-    def foot(self, point: Pair, low: float, high: float) -> float:
-        """About where the distance from P₀ + ``point`` is least between two parameters.
+    def at(self, v: float) -> tuple[Pair, Pair]:
+        """X(v) − P₀ and X′(v), rounded.
 
-        >>> CubicArc((0.0, 0.0), ((1.0, 0.0), (2.0, 0.0)), (3.0, 0.0)).foot((0.75, 7.0), 0.0, 1.0)
-        0.25
+        >>> CubicArc((0.0, 0.0), ((1.0, 0.0), (2.0, 0.0)), (3.0, 0.0)).at(0.25)
+        ((0.75, 0.0), (3.0, 0.0))
         """
-        first, second, last = self._rounded
-
-        def along(v: float) -> tuple[float, float]:
-            r = 1 - v
-            ahead = speed = 0.0
-            for i in (0, 1):
-                p, q, s = first[i], second[i], last[i]
-                rate = 3 * (r * r * p + 2 * r * v * (q - p) + v * v * (s - q))
-                ahead += (point[i] - (3 * v * r * r * p + 3 * v * v * r * q + v**3 * s)) * rate
-                speed += rate * rate
-            return ahead, speed
-
-        return foot_between(along, low, high)
+        (px, py), (qx, qy), (sx, sy) = self._rounded
+        r = 1 - v
+        one, two, three = 3 * v * r * r, 3 * v * v * r, v**3
+        first, second, third = 3 * r * r, 6 * r * v, 3 * v * v
+        point = one * px + two * qx + three * sx, one * py + two * qy + three * sy
+        rate = (
+            first * px + second * (qx - px) + third * (sx - qx),
+            first * py + second * (qy - py) + third * (sy - qy),
+        )
+        return point, rate
 
     def near_ends(self, beyond: Any) -> Any:
         """A bound of |X(v) − P₀| for |v| ≤ beyond, and of |X(v) − P₃| for |v − 1| ≤ beyond."""

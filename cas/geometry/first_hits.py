@@ -15,7 +15,7 @@ from osculant.cas.geometry.bitangent import bracket
 from osculant.cas.geometry.convex_arcs import CUTS, End, Vector, dot, tangent
 
 if TYPE_CHECKING:
-    from osculant.cas.geometry.arc_distance import Coefficients
+    from osculant.cas.geometry.point_distance import Coefficients
 
 
 def hits_first(coefficients: Coefficients, low: End, high: End, q: float, turned: Any) -> bool:

@@ -19,14 +19,12 @@ from osculant.pieces.chain import conic_arcs, plane_arcs
 from osculant.pieces.cubics import Cubic
 
 if TYPE_CHECKING:
-    from osculant.cas.geometry.arc_distance import Coefficients, PlaneArc
+    from osculant.cas.geometry.point_distance import Coefficients, PlaneArc
     from osculant.curves.plane import PlaneCurve
     from osculant.pieces.piece import PieceLike
 
 #: bits of the balls, and those tried where a bound is not finite, or far above what was found from below
 BITS = (128, 320)
-#: a bound this much larger than what was found from below is far above it
-FAR = 1e-3
 #: a knot nearer to an end than this part of the interval, or of the end itself, stands for the end
 APART = 2.0**-51
 
@@ -38,7 +36,8 @@ class PieceBounds:
     """The Hausdorff distance of one piece and its arc of the curve lies in [lower, upper].
 
     Attributes:
-        lower: so far at least is the curve's point at ``at`` from the whole piece.
+        lower: so far at least is the curve's point at ``at`` from the whole piece, or the point of the piece
+            that is compared with it from the whole arc of the curve.
         upper: infinite if none was proved.
         at: that parameter, rounded.
         reason: why there is no upper bound; None if there is one.
@@ -124,8 +123,9 @@ def certify(
     Raises DomainError for pieces that leave a gap or are no arcs in the plane, and without a formula.
 
     Guarantee: both bounds are proved in ball arithmetic, whatever the floats that chose the maps. Where the
-    curve's points have one nearest point each on the piece they are usually within 10⁻⁶ of each other; where
-    the nearest point jumps (errors larger than radii of curvature) the upper one may be a tenth too large.
+    curve's points have one nearest point each on the piece, or one each on their normals, they are usually
+    within 10⁻⁶ of each other; where both jump (errors larger than radii of curvature) the upper one may be a
+    tenth too large.
 
     >>> from osculant.pieces.conics import Piece
     >>> from osculant.curves.plane import PlaneCurve
@@ -134,6 +134,7 @@ def certify(
     >>> round(proof.lower * 32**0.5, 4), round(proof.upper * 32**0.5, 4), proof.within
     (1.0, 1.0, True)
     """
+    from osculant.cas.geometry.arc_distance import FAR
     from osculant.curves.plane import PlaneCurve
 
     began = time.perf_counter()
@@ -165,7 +166,8 @@ def _bounds(
     curve: PlaneCurve, piece: PieceLike, tolerance: float, bits: int, first: bool, last: bool
 ) -> PieceBounds:
     """The bounds of one piece, which may be the first or last of all, at one precision."""
-    from osculant.cas.geometry.arc_distance import distance, from_point
+    from osculant.cas.geometry.arc_distance import distance
+    from osculant.cas.geometry.point_distance import from_arc, from_point
     from osculant.cas.numbers.balls import precision
 
     balls = curve.balls.coefficients
@@ -175,8 +177,12 @@ def _bounds(
         each = [distance(balls, *cut, arc, tolerance) for cut, arc in zip(pairwise(cuts), arcs)]
         lower, at = -math.inf, piece.interval[0]
         for arc, one in zip(arcs, each):
-            # from the other arc, too, the point must be so far
-            others = (from_point(balls, one.at, other) for other in arcs if other is not arc)
+            # from the other arc, or the other part of the curve, too, the point must be so far
+            others = (
+                from_point(balls, one.at, other) if one.of_curve else from_arc(balls, *cut, arc, one.foot)
+                for cut, other in zip(pairwise(cuts), arcs)
+                if other is not arc
+            )
             value = min(_down(one.lower), *(_down(other) for other in others), math.inf)
             if value > lower:
                 lower, at = value, float(one.at.mid())

@@ -143,11 +143,13 @@ def _error(spline: Spline) -> list[tuple[str, str]]:
             ("certified", f"at least {_rounded(proof.lower, ROUND_FLOOR)}; no upper bound was proved"),
         ]
     else:
+        certified = spline.error_kind == "certified"
+        error = _rounded(proof.upper, ROUND_CEILING) if certified else f"{spline.error:.7g}"
         verdict = "within the tolerance" if proof.within else "not proved to be within the tolerance"
         if spline.given == "pieces":
             verdict = "proved"
         rows = [
-            ("error", f"{_rounded(proof.upper, ROUND_CEILING)}{kind}"),
+            ("error", f"{error}{kind}"),
             (
                 "certified",
                 f"at least {_rounded(proof.lower, ROUND_FLOOR)}, "

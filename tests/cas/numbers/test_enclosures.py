@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.geometry import arc_distance
-from osculant.cas.geometry.arc_distance import distance, from_point, parting
+from osculant.cas.geometry.arc_distance import distance, parting
 from osculant.cas.geometry.conic_arcs import ConicArc
+from osculant.cas.geometry.point_distance import from_arc, from_point
 from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.numbers.balls import precision
 from osculant.cas.numbers.enclosures import shortened, supremum
@@ -105,6 +106,24 @@ def test_points_away_from_a_circle(angle):
             below = from_point(point, arb(0), UNIT_ARCS[angle])
             nearest = min(apart, *(math.hypot(float(point(arb(0), 0)[0][0]) - x, y) for x, y in ends(angle)))
             assert nearest * (1 - 1e-5) <= below <= nearest * (1 + 1e-12)
+
+
+@pytest.mark.parametrize("angle", UNIT_ARCS)
+@pytest.mark.parametrize(
+    ("formula", "low", "high", "apart"),
+    [
+        ("2 + t, 3*t", -5, 5, 3 / math.sqrt(10)),  # a line, nearest at an inner point
+        ("2 + t, 3*t", 0, 5, 1.0),  # at its beginning
+        ("1 + t^2, t", -1, 1, 0.0),  # it passes through the point
+        ("3 + 4*cos(t), 4*sin(t)", 0, 6, 2.0),  # opposite to it
+        ("1 + 2*cos(t), 2*sin(t)", 0, 40, 2.0),  # all around, many times
+    ],
+)
+def test_a_curve_away_from_a_point_of_a_circle(angle, formula, low, high, apart):
+    curve = CurveBalls(parse_tuple(formula)).coefficients
+    with precision(128):
+        below = from_arc(curve, arb(low), arb(high), UNIT_ARCS[angle], 0.5)  # from (1, 0)
+        assert apart * (1 - 1e-5) <= below <= apart * (1 + 1e-12)
 
 
 def ends(angle):

@@ -6,6 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 import mpmath
+import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from mpmath import mpf
@@ -126,6 +127,25 @@ def test_bounds_enclose_the_distance_and_are_tight(name, primitive):
             assert at_peak <= mpf(bounds.lower) * (1 + mpf("1e-5")) + small
 
 
+@pytest.mark.parametrize("primitive", ["parabola", "conic", "biarc", "cubic"])
+@pytest.mark.parametrize("tolerance", [0.3, 1, 3])
+@pytest.mark.parametrize("name", ["spiral", "sextic"])
+def test_bounds_are_tight_beyond_the_radii_of_curvature(name, tolerance, primitive):
+    """There nearest points jump, and it may be the piece that has the point farthest from the other."""
+    spline = osc.approximate(osc.curve(*CASES[name][1:]), primitive, tolerance)
+    measured = spline.error
+    proof = spline.certify()
+    assert proof.within and spline.error_kind == "certified"
+    assert proof.lower <= proof.upper <= proof.lower * (1 + 1e-5)
+    assert measured == pytest.approx(proof.upper, rel=1e-5)
+    for bounds, piece in zip(proof.pieces, spline.pieces):
+        curve, points = spline.curve.jets(np.linspace(*piece.interval, 601))[..., 0], piece.sample(601)
+        apart = np.hypot(*(curve[:, None] - points[None]).transpose(2, 0, 1))
+        seen = max(apart.min(axis=0).max(), apart.min(axis=1).max())
+        step = max(np.hypot(*np.diff(line, axis=0).T).max() for line in (curve, points))
+        assert bounds.lower - step <= seen <= bounds.upper + step
+
+
 def moved(piece, x, y):
     points = (piece.start, piece.end)
     start, end = ((px + x, py + y) for px, py in points)
@@ -192,7 +212,12 @@ def test_any_piece_at_all_is_bounded_both_ways(piece):
             away = mpmath.hypot(mpf(x) - 1 - along, mpf(y) - along / 2)
             assert away <= proof.upper * (1 + 1e-12) + 1e-12  # the samples are rounded
         at = mpf(proof.pieces[0].at)
-        assert proof.lower <= from_arc((1 + at, at / 2), piece) * (1 + mpf("1e-12"))
+        of_curve = from_arc((1 + at, at / 2), piece)
+    points = piece.sample(4001)
+    u = np.clip((2 * (points[:, 0] - 1) + points[:, 1]) * 2 / 5, 0, 1)
+    of_piece = np.hypot(points[:, 0] - 1 - u, points[:, 1] - u / 2).max()
+    step = np.hypot(*np.diff(points, axis=0).T).max()
+    assert proof.lower <= max(float(of_curve) * (1 + 1e-12), of_piece + step)
 
 
 def test_the_whole_interval_is_covered_though_its_ends_are_no_doubles():
