@@ -83,7 +83,7 @@ def announce_compiling() -> None:
     """Say that kernels are being compiled, if they have to be, which happens once on a machine."""
     from osculant.kernels.jit import when_compiling
 
-    when_compiling(lambda: tell("compiling kernels for this machine, once; this takes some seconds."))
+    when_compiling(lambda: tell("compiling kernels for this machine, once: ten seconds to half a minute."))
 
 
 def print_json(data: Any) -> None:

@@ -8,6 +8,7 @@ from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from typing import TYPE_CHECKING
 
 from osculant.cli.output import print_rows, printable
+from osculant.files.writing import stands_for_stdout
 
 if TYPE_CHECKING:
     from osculant.files.drafts import Written
@@ -49,8 +50,9 @@ def print_spline(
 
 def _written(file: Written) -> str:
     """A file, with the error of what it draws."""
+    place = "standard output" if stands_for_stdout(file.path) else printable(file.path)
     return (
-        f"{printable(file.path)}: error {file.error:.7g}, {file.moves} {MOVES.get(file.format, 'curves')}, "
+        f"{place}: error {file.error:.7g}, {file.moves} {MOVES.get(file.format, 'curves')}, "
         f"{file.numbers} numbers"
     )
 

@@ -84,6 +84,11 @@ def check(
             raise DomainError(f"The {what} is {value!r}: give a positive finite number.")
     if not 0 <= smallest_radius < math.inf:
         raise DomainError(f"The smallest radius is {smallest_radius!r}: give a finite number, 0 or more.")
+    if largest_radius is not None and smallest_radius >= largest_radius:
+        raise DomainError(
+            f"The smallest radius, {smallest_radius!r}, is not below the largest, {largest_radius!r}: that "
+            "leaves no arcs; choose others, or polygons."
+        )
 
 
 def most_decimals(largest: float) -> int:

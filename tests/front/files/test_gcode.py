@@ -250,6 +250,7 @@ def test_segments_units_feed():
         ({"dialect": "fanuc"}, "'fanuc' of G-code is unknown: choose linuxcnc, grbl or marlin"),
         ({"largest_angle": -1.0}, "largest angle is -1"),
         ({"smallest_radius": math.nan}, "smallest radius is nan"),
+        ({"smallest_radius": 5.0, "largest_radius": 1.0}, "leaves no arcs"),
     ):
         with pytest.raises(DomainError, match=says):
             written(spline, gcode, **wrong)

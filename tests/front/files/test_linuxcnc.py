@@ -72,6 +72,7 @@ def points_of(motions, dimension):
         ("trochoid", "biarc", 1e-2, 3),
         ("trochoid", "biarc", 1e-3, 3),
         ("ellipse", "biarc", 1e-2, 3),
+        ("ellipse", "biarc", 1e-3, 3),
         ("spiral", "polygon", 1e-2, None),
         ("cone", "bihelix", 1e-2, None),
         ("torus knot", "bihelix", 1e-2, None),
