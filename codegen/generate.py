@@ -167,7 +167,79 @@ def space_module() -> str:
     return module_source("cas/jets/space.py", [form], {})
 
 
+#: of the forms whose zeros split splines: the attribute of the jet, and the derivatives that it takes
+SPLITTING = {
+    "inflection": ("inflection_form", 2),
+    "parabolic": ("parabolic_form", 4),
+    "sextactic": ("sextactic_form", 5),
+    "vertex": ("curvature_slope_form", 3),
+}
+
+
+#: the lengths of a curve's derivatives
+LENGTHS = sp.symbols("n:6", positive=True)
+
+
+class _PlaneLengths(PlaneJet):
+    """A jet whose brackets and products are those of lengths: what they are at most."""
+
+    def bracket(self, i: int, j: int) -> sp.Expr:
+        return LENGTHS[i] * LENGTHS[j]
+
+    dot = bracket
+
+
+class _SpaceLengths(SpaceJet):
+    """The same in space."""
+
+    inflection_form = (LENGTHS[1] * LENGTHS[2]) ** 2
+    _inflection_rate = LENGTHS[1] ** 2 * LENGTHS[2] * LENGTHS[3]
+
+    def dot(self, i: int, j: int) -> sp.Expr:
+        return LENGTHS[i] * LENGTHS[j]
+
+
+def _with_lengths(form: sp.Expr, order: int) -> sp.Expr:
+    """The sum of the absolute terms of a form: rounding makes errors of so many units in it."""
+    gens = LENGTHS[1 : order + 1]
+    terms = sp.Poly(sp.expand(form), *gens).terms()
+    return sum(abs(c) * sp.prod([g**p for g, p in zip(gens, powers)]) for powers, c in terms)
+
+
+def forms_module() -> str:
+    """The forms whose zeros are a curve's special points, for compiled approximators that find them alone.
+
+    Beside each stands what its terms come to at most, from the lengths of the derivatives.
+    """
+    plane, space = jet_symbols(PlaneJet, "xy", 5), jet_symbols(SpaceJet, "xyz", 3)
+    forms = [
+        ClosedForm(
+            name,
+            f"The {name} form of a plane curve's derivatives 1…{order}.",
+            (*plane.x[1 : order + 1], *plane.y[1 : order + 1]),
+            {name: getattr(plane, attribute)},
+        )
+        for name, (attribute, order) in SPLITTING.items()
+    ]
+    vertex = ClosedForm(
+        "space_vertex",
+        "The vertex form of a space curve's derivatives 1…3.",
+        (*space.x[1:], *space.y[1:], *space.z[1:]),
+        {"space_vertex": space.curvature_slope_form},
+    )
+    sizes: list[ClosedForm] = []
+    none = [sp.Integer(0)] * 6
+    lengths = _PlaneLengths(none, none), _SpaceLengths(none, none, none)
+    for name, (attribute, order) in {**SPLITTING, "space_vertex": ("curvature_slope_form", 3)}.items():
+        form = getattr(lengths[name.startswith("space")], attribute)
+        purpose = f"The size of the terms of the {name} form, from the derivatives' lengths."
+        size = {"size": _with_lengths(form, order)}
+        sizes.append(ClosedForm(f"{name}_size", purpose, tuple(LENGTHS[1 : order + 1]), size))
+    return module_source("cas/jets/plane.py and cas/jets/space.py", [*forms, vertex, *sizes], {})
+
+
 MODULES = {
+    "forms.py": forms_module,
     "pencil.py": pencil_module,
     "invariants.py": invariants_module,
     "laws.py": laws_module,

@@ -184,5 +184,34 @@ def record(fit: Any, row: Any, piece: Any, start: Any, end: Any, source: Any) ->
     """Write a piece into a row of the table, from `SHAPE` on; the columns before are written already."""
 
 
+# What compiled approximators do besides: they take a curve's size and frames as numbers in the user's
+# coordinates (`osculant.kernels.standalone`), and hand out pieces in them.
+
+
+@operation
+def dimension(fit: Any) -> Any:
+    """The number of coordinates."""
+
+
+@operation
+def place_in(fit: Any, size: Any, side: Any) -> Any:
+    """The kernels' place of a curve from the numbers of its size (`SCALE` …), bending to a side."""
+
+
+@operation
+def frame_in(fit: Any, place: Any, row: Any, first: Any) -> Any:
+    """The frame whose point and tangent, in the user's coordinates, are in a row from ``first`` on."""
+
+
+@operation
+def shape(fit: Any, row: Any, place: Any, error: Any) -> Any:
+    """The piece in a row of the table, in the user's coordinates: a `NamedTuple` of numbers only."""
+
+
+#: the numbers of a curve's size: the kernels' scale and noise, the floor of tolerances, the share of one that
+#: is kept for rounding and the least of it, the resolution over the tolerance, and the origin's coordinates
+SCALE, NOISE, FLOOR, SHARE, LEAST_SHARE, RESOLUTION, ORIGIN = 0, 1, 2, 3, 4, 5, 6
+
+
 #: columns of every row: the interval of the parameter, the error and why the arc ends; then its shape
 A, B, ERROR, REASON, SHAPE = 0, 1, 2, 3, 4

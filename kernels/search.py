@@ -188,6 +188,25 @@ def longest_piece(
 
 
 @kernel
+def next_piece(
+    fit: Any, curve: Any, a: float, start: Any, stop: float, last: Any, length: float,
+    low: float, high: float, exponent: float, state: Any, course: np.ndarray[Any, Any], space: Any,
+    row: np.ndarray[Any, Any],
+) -> tuple[float, Any, float, Any, bool]:  # fmt: skip
+    """(b, frame there, exponent, state, by careful search) of the longest piece from a, written into a row.
+
+    b = a, and nothing is written, if there is none.
+    """
+    b, end, error, piece, reason, exponent, state, careful = longest_piece(
+        fit, curve, a, start, stop, last, length, low, high, exponent, state, course, space
+    )
+    if b > a:
+        row[A], row[B], row[ERROR], row[REASON] = a, b, error, reason
+        record(fit, row, piece, start, end, curve)
+    return b, end, exponent, state, careful
+
+
+@kernel
 def spline(
     fit: Any, address: int, place: Any, a: float, start: Any, stop: float, last: Any,
     low: float, high: float, length: float, course: np.ndarray[Any, Any], table: np.ndarray[Any, Any],
@@ -217,15 +236,12 @@ def spline(
     searches = 0
     previous = math.nan
     for count in range(table.shape[0]):
-        b, end, error, piece, reason, exponent, state, careful = longest_piece(
-            fit, curve, a, start, stop, last, length, low, high, exponent, state, course, space
+        b, end, exponent, state, careful = next_piece(
+            fit, curve, a, start, stop, last, length, low, high, exponent, state, course, space, table[count]
         )
         searches += careful
         if not b > a:
             return count, a, searches
-        row = table[count]
-        row[A], row[B], row[ERROR], row[REASON] = a, b, error, reason
-        record(fit, row, piece, start, end, curve)
         if b == stop:
             return count + 1, b, searches
         length, previous = next_length(b - a, previous), b - a

@@ -19,7 +19,7 @@ from osculant.cas.formulas.graph import topological
 class Instruction(NamedTuple):
     """One assignment: ``op`` of the values at ``args``; ``value`` is its exact constant or name.
 
-    ``op`` is one of number, constant, variable, add, sub, mul, div, neg, call, power.
+    ``op`` is one of number, constant, variable, parameter, add, sub, mul, div, neg, call, power.
     """
 
     op: str
@@ -28,20 +28,20 @@ class Instruction(NamedTuple):
 
 
 def write(
-    formulas: Sequence[Node], order: int, variable: str, normalised: bool
+    formulas: Sequence[Node], order: int, variable: str, normalised: bool, parameters: Sequence[str] = ()
 ) -> tuple[list[Instruction], list[list[int]]]:
     """Instructions, none twice, for the derivatives 0…order of the formulas, and where their values are.
 
     The second list has for every formula the indices of its derivatives, or of its Taylor coefficients
-    f⁽ᵏ⁾/k! if they are to be ``normalised``; some instructions may serve none of these.  Raises
-    FormulaError if a formula has another variable.
+    f⁽ᵏ⁾/k! if they are to be ``normalised``; some instructions may serve none of these.  ``parameters`` are
+    other variables, which do not change.  Raises FormulaError if a formula has a variable besides.
 
     >>> from osculant.cas.formulas.expression import variable
     >>> steps, [square] = write([variable("t") ** 2], 2, "t", False)
     >>> [steps[index].op for index in square], steps[square[2]].value
     (['mul', 'add', 'number'], Fraction(2, 1))
     """
-    writer = Writer(variable)
+    writer = Writer(variable, parameters)
     series: dict[Node, list[int]] = {}
     for node in topological(formulas):
         series[node] = writer.series(node, [series[arg] for arg in node.args], order + 1)
@@ -55,8 +55,8 @@ def write(
 class Writer:
     """Writes instructions once each, folding exact rationals so that structural zeros cost nothing."""
 
-    def __init__(self, variable: str) -> None:
-        self.variable = variable
+    def __init__(self, variable: str, parameters: Sequence[str] = ()) -> None:
+        self.variable, self.parameters = variable, parameters
         self.steps: list[Instruction] = []
         self.known: dict[Instruction, int] = {}
         self.numbers: dict[tuple[int, int], int] = {}  # a fraction takes its time to hash
@@ -148,6 +148,8 @@ class Writer:
         if kind in ("pi", "e"):
             return self.padded(self.emit("constant", value=kind), n)
         if kind == "variable":
+            if node.value in self.parameters:
+                return self.padded(self.emit("parameter", value=str(node.value)), n)
             if node.value != self.variable:
                 raise FormulaError(
                     f"The formula contains the variable {node.value!r}; only {self.variable!r} is allowed."

@@ -71,11 +71,18 @@ _ARITHMETIC: dict[str, Callable[..., Any]] = {
 }
 
 
-def program(formulas: Sequence[Node], order: int, variable: str = "t", normalised: bool = False) -> Program:
+def program(
+    formulas: Sequence[Node],
+    order: int,
+    variable: str = "t",
+    normalised: bool = False,
+    parameters: Sequence[str] = (),
+) -> Program:
     """The program for the derivatives 0…order of the formulas in one variable.
 
-    ``normalised`` asks for the Taylor coefficients f⁽ᵏ⁾/k! instead.  Raises FormulaError if a formula has
-    another variable.
+    ``normalised`` asks for the Taylor coefficients f⁽ᵏ⁾/k! instead.  ``parameters`` are variables that do not
+    change along the curve; a program that has any is there to be printed, not to be run.  Raises FormulaError
+    if a formula has a variable besides.
 
     >>> from osculant.cas.formulas.expression import call, variable
     >>> nested = variable("t")
@@ -84,7 +91,7 @@ def program(formulas: Sequence[Node], order: int, variable: str = "t", normalise
     >>> len(program([nested], 5).instructions) < 3000
     True
     """
-    return pruned(*write(formulas, order, variable, normalised))
+    return pruned(*write(formulas, order, variable, normalised, parameters))
 
 
 def pruned(steps: Sequence[Instruction], outputs: Sequence[Sequence[int]]) -> Program:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from osculant.kernels.biarcs import area_exchange, area_scan, exchange, scan
+from osculant.kernels.biarcs import area_exchange, area_scan, exchange, scan, shapes
 from osculant.kernels.biarcs.family import Biarc as Arcs
 from osculant.kernels.biarcs.family import family, member
 from osculant.kernels.curves.peaks import workspace
@@ -60,7 +60,7 @@ def record(fit: Any, row: np.ndarray[Any, Any], mu: float, start: Frame, end: Fr
     write_shape(row, mu, member(family(start, end), mu))
 
 
-ALIKE = {**IN_THE_PLANE, "workspace": workspace, "record": record}
+ALIKE = {**IN_THE_PLANE, "workspace": workspace, "record": record, "shape": shapes.of_biarc}
 
 register(
     Biarc,

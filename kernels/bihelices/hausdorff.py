@@ -143,7 +143,7 @@ def two_sided(source: Source, a: float, b: float, sigma: float, two: Bihelix) ->
     count = at_spots.steps + 1
     if count > MOST:
         return math.inf
-    curve, helices = np.empty((count, 5)), np.empty((POINTS, 5))
+    curve, helices = np.empty((MOST, 5))[:count], np.empty((POINTS, 5))
     half, first, second = POINTS // 2, two.left.length, two.right.length
     chords = 0.0
     for i in range(POINTS):

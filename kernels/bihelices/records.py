@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from osculant.kernels.bihelices import shapes
 from osculant.kernels.bihelices.balance import (
     FARTHEST,
     ROUNDING,
@@ -207,5 +208,6 @@ register(
     resume=resume,
     settle=settle,
     record=record,
+    shape=shapes.of_bihelix,
     content=content,
 )

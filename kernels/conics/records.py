@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from osculant.kernels.conics import area_exchange, area_scan, exchange, minimax, scan
+from osculant.kernels.conics import area_exchange, area_scan, exchange, minimax, scan, shapes
 from osculant.kernels.conics.pencil import pencil
 from osculant.kernels.curves.peaks import workspace
 from osculant.kernels.curves.plane import IN_THE_PLANE, Frame, Source
@@ -79,6 +79,7 @@ register(
     Parabola,
     len(Row._fields),
     **BY_DISTANCE,
+    shape=shapes.of_parabola,
     rules=Rules(float(laws.PARABOLA_ORDER), SETTLED),
     begin=exchange.one_peak,
     step=exchange.visit_one,
@@ -89,6 +90,7 @@ register(
     Conic,
     len(Row._fields),
     **BY_DISTANCE,
+    shape=shapes.of_conic,
     rules=Rules(float(laws.CONIC_ORDER), SETTLED),
     begin=exchange.two_peaks,
     step=exchange.visit_two,
@@ -99,6 +101,7 @@ register(
     ParabolaArea,
     len(Row._fields),
     **BY_AREA,
+    shape=shapes.of_parabola,
     rules=Rules(float(laws.PARABOLA_AREA_ORDER), EXACT),
     step=area_exchange.parabola_area,
     best=area_scan.best_parabola,
@@ -108,6 +111,7 @@ register(
     EquisymmetricConic,
     len(Row._fields),
     **BY_AREA,
+    shape=shapes.of_conic,
     rules=Rules(float(laws.CONIC_AREA_ORDER), EXACT),
     step=area_exchange.equal_area,
     best=area_scan.best_equal,
@@ -117,6 +121,7 @@ register(
     LeastAreaConic,
     len(Row._fields),
     **BY_AREA,
+    shape=shapes.of_conic,
     rules=Rules(float(laws.CONIC_AREA_ORDER), EXACT),
     step=area_exchange.stationary_area,
     best=area_scan.best_least,

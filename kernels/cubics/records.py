@@ -6,7 +6,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from osculant.kernels.cubics import area_exchange, area_search, contact, exchange, minimax, scan
+from osculant.kernels.cubics import (
+    area_exchange,
+    area_search,
+    contact,
+    exchange,
+    minimax,
+    scan,
+    shapes,
+)
 from osculant.kernels.cubics.exchange import Arms
 from osculant.kernels.curves.plane import IN_THE_PLANE, Frame, Source
 from osculant.kernels.generated import laws
@@ -54,7 +62,7 @@ TURNING = 4.7
 #: equidistant samples that tell four peaks
 CHECKED = 16
 
-ALIKE = {**IN_THE_PLANE, "workspace": scan.workspace, "record": record}
+ALIKE = {**IN_THE_PLANE, "workspace": scan.workspace, "record": record, "shape": shapes.of_cubic}
 
 register(
     Cubic,

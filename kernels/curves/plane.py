@@ -15,6 +15,7 @@ import numpy as np
 
 from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.jit import kernel
+from osculant.kernels.operations import NOISE, ORIGIN, SCALE
 
 #: doubles a jet of order 2 of a plane curve fills
 JET_SIZE = 6
@@ -115,5 +116,32 @@ def pace(fit: Any, source: Source, t: float) -> tuple[float, float]:
     return at.speed, abs(at.curvature) * at.speed
 
 
+@kernel
+def place_in(fit: Any, size: np.ndarray[Any, Any], side: float) -> Place:
+    """`osculant.kernels.operations.place_in` for any fit."""
+    return Place(size[ORIGIN], size[ORIGIN + 1], size[SCALE], side, size[NOISE])
+
+
+@kernel
+def frame_in(fit: Any, place: Place, row: np.ndarray[Any, Any], first: int) -> Frame:
+    """`osculant.kernels.operations.frame_in` for any fit."""
+    x, y = (row[first] - place.x) * place.scale, (row[first + 1] - place.y) * place.scale
+    return Frame(x, y * place.side, row[first + 2], row[first + 3] * place.side)
+
+
+@kernel
+def user_point(place: Place, x: float, y: float) -> tuple[float, float]:
+    """A point in the user's coordinates."""
+    back = 1.0 / place.scale
+    return x * back + place.x, y * back * place.side + place.y
+
+
 #: what all fits in the plane do alike (`osculant.kernels.operations`)
-IN_THE_PLANE = {"source": source_of, "frame": frame_of, "pace": pace}
+IN_THE_PLANE = {
+    "source": source_of,
+    "frame": frame_of,
+    "pace": pace,
+    "dimension": 2,
+    "place_in": place_in,
+    "frame_in": frame_in,
+}

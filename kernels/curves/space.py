@@ -16,6 +16,7 @@ from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.curves.vectors import Vector, cross, dot, norm, unit
 from osculant.kernels.generated.space import frenet
 from osculant.kernels.jit import kernel
+from osculant.kernels.operations import NOISE, ORIGIN, SCALE
 
 #: doubles a jet of order 3 of a space curve fills
 JET_SIZE = 12
@@ -147,5 +148,26 @@ def pace(fit: Any, source: Source, t: float) -> tuple[float, float]:
     return math.sqrt(square), norm(cross(at.velocity, at.acceleration)) / square
 
 
+@kernel
+def place_in(fit: Any, size: np.ndarray[Any, Any], side: float) -> Place:
+    """`osculant.kernels.operations.place_in` for any fit."""
+    return Place(size[ORIGIN], size[ORIGIN + 1], size[ORIGIN + 2], size[SCALE], size[NOISE])
+
+
+@kernel
+def frame_in(fit: Any, place: Place, row: np.ndarray[Any, Any], first: int) -> Frame:
+    """`osculant.kernels.operations.frame_in` for any fit."""
+    k = place.scale
+    point = ((row[first] - place.x) * k, (row[first + 1] - place.y) * k, (row[first + 2] - place.z) * k)
+    return Frame(point, (row[first + 3], row[first + 4], row[first + 5]))
+
+
 #: what all fits in space do alike (`osculant.kernels.operations`)
-IN_SPACE = {"source": source_of, "frame": frame_of, "pace": pace}
+IN_SPACE = {
+    "source": source_of,
+    "frame": frame_of,
+    "pace": pace,
+    "dimension": 3,
+    "place_in": place_in,
+    "frame_in": frame_in,
+}

@@ -11,7 +11,7 @@ from osculant.kernels.curves import plane, space
 from osculant.kernels.generated import laws
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import EXACT, SETTLED, SHAPE, Rules, register
-from osculant.kernels.polygons import areas, chords
+from osculant.kernels.polygons import areas, chords, shapes
 from osculant.kernels.quadrature import by_law
 
 #: the dimension of the coordinates, the start and then the end, which a row has from `SHAPE` on
@@ -77,6 +77,7 @@ register(
     **BY_DISTANCE,
     rise=chords.rise_in_the_plane,
     record=record_in_the_plane,
+    shape=shapes.in_the_plane,
     density=by_law(laws.polygon_density),
 )
 register(
@@ -86,6 +87,7 @@ register(
     **BY_DISTANCE,
     rise=chords.rise_in_space,
     record=record_in_space,
+    shape=shapes.in_space,
     density=density_in_space,
 )
 register(
@@ -99,5 +101,6 @@ register(
     best=areas.best,
     rules=Rules(float(laws.POLYGON_AREA_ORDER), EXACT),
     record=record_in_the_plane,
+    shape=shapes.in_the_plane,
     density=by_law(laws.polygon_area_density),
 )

@@ -1,0 +1,73 @@
+"""Approximation of a curve whose interval or parameters are known only now."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from osculant.kernels.jit import kernel
+from osculant.kernels.operations import SCALE, dimension
+from osculant.kernels.standalone.divide import JET, POINTS, Jets, divided, measured
+from osculant.kernels.standalone.stretches import (
+    DONE,
+    FRAMES,
+    UNDEFINED,
+    WRONG,
+    Outcome,
+    for_number,
+    for_tolerance,
+)
+
+#: panels of a stretch, equally long
+PANELS = 64
+#: numbers of a curve's size, and of a stretch, at most
+SIZE, STRETCH = 9, 15
+
+
+@kernel
+def approximate(
+    fit: Any, address: int, longer: int, order: int, form: int, other: int, low: float, high: float,
+    splits: np.ndarray[Any, Any], given: bool, units: np.ndarray[Any, Any], tolerance: float, number: int,
+    degree: int, pieces: np.ndarray[Any, Any],
+) -> Outcome:  # fmt: skip
+    """The outcome for a tolerance or, if that is 0, a number of pieces.
+
+    Args:
+        fit: a record (`osculant.kernels.operations`).
+        address: of the jet that kernels take.
+        longer: that for the forms, of so many derivatives:
+        order: their number.
+        form: whose zeros split the curve (`divide.NO_FORM` …),
+        other: and another.
+        low: one end of the interval,
+        high: and the other.
+        splits: special points, if they are
+        given: by the caller.
+        units: see `divide.measured`.
+        tolerance: of errors.
+        number: of pieces.
+        degree: of an error: 1 for lengths, 2 for areas.
+        pieces: the caller's array.
+    """
+    width = high - low
+    if not (width > 0.0 and width < math.inf and math.isfinite(low) and math.isfinite(high)):
+        return Outcome(0, WRONG, 0.0, 0.0)
+    jets = Jets(address, longer, order, np.empty(JET))
+    size = np.empty(SIZE)
+    if not measured(fit, jets, low, high, units, degree, size):
+        return Outcome(0, UNDEFINED, 0.0, 0.0)
+    columns = FRAMES + 4 * dimension(fit)
+    stretches = np.empty((POINTS + 1, STRETCH)).reshape(((POINTS + 1) * STRETCH // columns, columns))
+    found, status = divided(fit, jets, form, other, low, high, splits, given, 1.0 / size[SCALE], stretches)
+    if status != DONE:
+        return Outcome(0, status, 0.0, 0.0)
+    edges = np.empty((PANELS, 2))
+    count = 0
+    for i in range(1, PANELS):
+        edges[count, 0], edges[count, 1] = low + width * i / PANELS, math.inf
+        count += 1
+    if tolerance == 0.0 and number > 0:
+        return for_number(fit, address, size, stretches[:found], edges[:count], number, degree, pieces)
+    return for_tolerance(fit, address, size, stretches[:found], edges[:count], tolerance, degree, pieces)

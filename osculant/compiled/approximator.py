@@ -1,0 +1,161 @@
+"""`compile_approximator`: a curve's approximation as a library of its own."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from osculant.approximation.request import check_split
+from osculant.cas.errors import DomainError, OsculantError
+from osculant.compiled.building import build, compiler, flags_for
+from osculant.compiled.examples import example
+from osculant.compiled.header import explaining, header, wrapper
+from osculant.compiled.library import Approximator, source
+from osculant.compiled.modules import module
+from osculant.compiled.numbers import numbers
+from osculant.compiled.subject import Subject, subject
+from osculant.primitives.table import USUAL, choose
+
+#: what may stand beside a library: "c" is headers and an example, "python" a module besides
+LANGUAGES = ("c", "python")
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """A library on disk.
+
+    Attributes:
+        name: that its functions begin with.
+        library: its path.
+        files: all files that were written, the library among them.
+        splits: the special points at which a fixed curve is split, None if they are found at run time.
+        undecided: those of them that were not decided.
+    """
+
+    name: str
+    library: Path
+    files: tuple[Path, ...]
+    splits: tuple[float, ...] | None = None
+    undecided: tuple[float, ...] = ()
+
+    @property
+    def folder(self) -> Path:
+        """Where the files are."""
+        return self.library.parent
+
+    def load(self) -> ModuleType:
+        """Import the Python module beside the library; raises OsculantError if there is none."""
+        import importlib.util
+
+        path = self.folder / f"{self.name}.py"
+        spec = importlib.util.spec_from_file_location(self.name, path)
+        if path not in self.files or spec is None or spec.loader is None:
+            raise OsculantError(f"There is no module {path.name} beside the library: compile for python.")
+        found = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(found)
+        return found
+
+
+def compile_approximator(
+    formulas: Any,
+    primitive: str | None = None,
+    low: Any = None,
+    high: Any = None,
+    *,
+    parameters: Any = (),
+    folder: str | os.PathLike[str],
+    name: str = "curve",
+    metric: str = "hausdorff",
+    rule: str | None = None,
+    split: str = "theory",
+    split_at: Sequence[Any] = (),
+    language: str = "python",
+    cpu: str | None = None,
+    jet: int = 0,
+) -> Compiled:
+    """Write and compile a library that approximates a curve by itself: C that needs libm alone.
+
+    Args:
+        formulas: of two or three coordinates, as for `osculant.curve`; None with ``jet``.
+        primitive: of the pieces, as for `osculant.approximate`; "conic" or, in space, "bihelix" if None.
+        low: one end of the interval; None if the interval is an argument at run time.
+        high: the other end.
+        parameters: names of constants in the formulas that are arguments at run time, such as "a b".
+        folder: where to write; it is made if only it is missing.
+        name: of the library, ``libname.so``, and the beginning of its functions' names.
+        metric: "hausdorff" or "area", as for `osculant.approximate`; a tolerance is one of the areas' sum.
+        rule: how a piece is chosen, as there.
+        split: "theory" or "never", as there.
+        split_at: parameters that shall be knots of a fixed curve besides.
+        language: "c": the library, its source, headers for C and C++17 and an example; "python" (the
+            default): a module as well, for numpy and ctypes alone.
+        cpu: the processor to compile for, as the compiler calls it; any of the machine's kind if None.
+        jet: 2 or 3: there is no formula, but the caller's function ``jet(t, parameters, out)``, which writes
+            the derivatives 0 … 2 (of three coordinates 0 … 3) of each coordinate.
+
+    Returns where everything is.  The library's functions take the caller's array and allocate nothing, keep
+    no state, and tell a status; `name.h` says how they are called.
+
+    Of a curve with nothing free the special points are found now, and proved as `osculant.approximate` does;
+    the greedy pieces are then those of osculant bit for bit, where libm is the same.  Else special points are
+    given by the caller, or found at run time by changes of sign, which proves nothing; of a jet of the
+    caller's only cusps are.  The ends of the interval are knots, also of closed curves, and no small arc is
+    passed over; where one greedy piece fewer might do, which `osculant.approximate` tries, there is not.
+
+    Raises FormulaError and DomainError for a curve or a choice that makes no sense, OsculantError where
+    there is no compiler or the folder cannot be written to; then nothing is written.
+
+    >>> import tempfile
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> made = compile_approximator("a*cos(t), b*sin(t)", "biarc", 0, "pi/2", parameters="a b",
+    ...                             folder=folder.name, name="quarter")
+    >>> sorted(path.name for path in made.files)  # doctest: +NORMALIZE_WHITESPACE
+    ['libquarter.so', 'quarter.c', 'quarter.h', 'quarter.hpp', 'quarter.py', 'quarter_example.c']
+    >>> [len(made.load().approximate(a, 1.0, 1e-3)) for a in (1.5, 2.0, 4.0)]
+    [3, 4, 6]
+    """
+    about = subject(formulas, low, high, parameters, name, jet)
+    check_split(split)
+    if language not in LANGUAGES:
+        raise DomainError(f"The language {language!r} is unknown: choose {' or '.join(LANGUAGES)}.")
+    fit = choose(
+        primitive or USUAL[about.dimension], metric, rule, dimension=about.dimension, curve=about.text
+    )
+    if split_at and not about.fixed:
+        raise DomainError(
+            "Split points of a curve with free constants are given at run time: leave out split_at."
+        )
+    command = " ".join([*compiler(), *flags_for(cpu), f"-o lib{name}.so {name}.c -lm"])
+    known = numbers(about.curve, fit, split, split_at) if about.fixed else None
+    wanted = Approximator(about, fit, split, known)
+    texts = _texts(wanted, command, language)
+    library = build(folder, name, texts, cpu)
+    files = tuple(sorted(library.parent / file for file in (*texts, library.name)))
+    if known is None:
+        return Compiled(name, library, files)
+    return Compiled(name, library, files, known.splits, known.undecided)
+
+
+def _texts(wanted: Approximator, command: str, language: str) -> dict[str, str]:
+    """The files beside the library, by name."""
+    about, functions = wanted.subject, wanted.functions()
+    title = f"{wanted.fit.primitive.plural.capitalize()} for the curve {about.text}{_interval(about)}."
+    texts = {
+        f"{about.name}.c": source(wanted, command) + "\n" + explaining(about.name),
+        f"{about.name}.h": header(about, title, functions, wanted.piece),
+        f"{about.name}.hpp": wrapper(about, functions, wanted.fields),
+        f"{about.name}_example.c": example(about, functions[0][0], functions[0][2]),
+    }
+    if language == "python":
+        texts[f"{about.name}.py"] = module(about, title, functions, wanted.fields)
+    return texts
+
+
+def _interval(about: Subject) -> str:
+    from osculant.cas.formulas.expression import to_text
+
+    return "" if about.ends is None else f", t from {to_text(about.ends[0])} to {to_text(about.ends[1])}"
