@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from osculant.api import approximate, complexity, curve
     from osculant.approximation.prediction import Complexity
     from osculant.cas.errors import DomainError, FormulaError, OsculantError, ToleranceError, UndecidedError
+    from osculant.compiled.approximator import compile_approximator, compile_evaluator
     from osculant.curves.plane import PlaneCurve
     from osculant.curves.space import SpaceCurve
     from osculant.germs.map_germ import MapGerm, germ
@@ -40,6 +41,8 @@ __all__ = [
     "UndecidedError",
     "Verification",
     "approximate",
+    "compile_approximator",
+    "compile_evaluator",
     "complexity",
     "curve",
     "germ",
@@ -51,6 +54,8 @@ _HOME = {
     "curve": "osculant.api",
     "approximate": "osculant.api",
     "complexity": "osculant.api",
+    "compile_approximator": "osculant.compiled.approximator",
+    "compile_evaluator": "osculant.compiled.approximator",
     "PlaneCurve": "osculant.curves.plane",
     "SpaceCurve": "osculant.curves.space",
     "Complexity": "osculant.approximation.prediction",

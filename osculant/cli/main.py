@@ -18,6 +18,7 @@ import typer
 from osculant.cas.errors import OsculantError
 from osculant.cli.approximate import approximate
 from osculant.cli.cache import cache
+from osculant.cli.compile import compile_curve
 from osculant.cli.complexity import complexity
 from osculant.cli.germ import GermCommand, germ
 from osculant.cli.grammar import Commands, FormulaCommand
@@ -62,6 +63,7 @@ def _door(
 
 for command in (approximate, invariants, complexity, tables, verify, cache):
     app.command(cls=FormulaCommand)(command)
+app.command("compile", cls=FormulaCommand)(compile_curve)
 app.command(cls=GermCommand)(germ)
 
 

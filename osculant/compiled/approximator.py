@@ -1,4 +1,4 @@
-"""`compile_approximator`: a curve's approximation as a library of its own."""
+"""`compile_approximator`, `compile_evaluator`: a curve as a library of its own."""
 
 from __future__ import annotations
 
@@ -12,16 +12,19 @@ from typing import Any
 from osculant.approximation.request import check_split
 from osculant.cas.errors import DomainError, OsculantError
 from osculant.compiled.building import build, compiler, flags_for
+from osculant.compiled.evaluators import Evaluator
 from osculant.compiled.examples import example
-from osculant.compiled.header import explaining, header, wrapper
+from osculant.compiled.header import approximating, explaining, header, wrapper
 from osculant.compiled.library import Approximator, source
 from osculant.compiled.modules import module
-from osculant.compiled.numbers import numbers
+from osculant.compiled.numbers import Numbers, numbers
 from osculant.compiled.subject import Subject, subject
 from osculant.primitives.table import USUAL, choose
 
 #: what may stand beside a library: "c" is headers and an example, "python" a module besides
 LANGUAGES = ("c", "python")
+#: what `compile_evaluator` compiles
+WHAT = ("invariants", "distance")
 
 
 @dataclass(frozen=True)
@@ -120,8 +123,6 @@ def compile_approximator(
     """
     about = subject(formulas, low, high, parameters, name, jet)
     check_split(split)
-    if language not in LANGUAGES:
-        raise DomainError(f"The language {language!r} is unknown: choose {' or '.join(LANGUAGES)}.")
     fit = choose(
         primitive or USUAL[about.dimension], metric, rule, dimension=about.dimension, curve=about.text
     )
@@ -129,30 +130,99 @@ def compile_approximator(
         raise DomainError(
             "Split points of a curve with free constants are given at run time: leave out split_at."
         )
-    command = " ".join([*compiler(), *flags_for(cpu), f"-o lib{name}.so {name}.c -lm"])
+    command = _command(name, language, cpu)
     known = numbers(about.curve, fit, split, split_at) if about.fixed else None
     wanted = Approximator(about, fit, split, known)
-    texts = _texts(wanted, command, language)
+    title = f"{fit.primitive.plural.capitalize()} for the curve {about.text}{_interval(about)}."
+    functions = wanted.functions()
+    texts = {
+        f"{name}.c": source(wanted, command) + "\n" + explaining(name),
+        f"{name}.h": header(about, title, functions, wanted.piece),
+        f"{name}.hpp": wrapper(about, [approximating(about, *function) for function in functions]),
+        f"{name}_example.c": example(about, functions[0][0], functions[0][2]),
+        f"{name}.py": module(about, title, functions, wanted.fields),
+    }
+    return _built(folder, name, texts, language, cpu, known)
+
+
+def compile_evaluator(
+    formulas: Any,
+    what: str,
+    low: Any = None,
+    high: Any = None,
+    *,
+    parameters: Any = (),
+    folder: str | os.PathLike[str],
+    name: str = "curve",
+    language: str = "python",
+    cpu: str | None = None,
+    jet: int = 0,
+) -> Compiled:
+    """Write and compile a library that evaluates a curve at arrays: C that needs libm alone.
+
+    Args:
+        formulas: as for `compile_approximator`.
+        what: "invariants": speed, curvature, torsion, …, and frames at many parameters; or "distance": the
+            distances of many points from the curve, and the nearest points of it.
+        low: one end of the interval, which distances take; None if it is an argument at run time.
+        high: the other end.
+        parameters: as for `compile_approximator`, like all that follow.
+        folder: where to write.
+        name: of the library.
+        language: "c" or "python".
+        cpu: the processor to compile for.
+        jet: 2 or 3: the caller's function writes the derivatives 0 … 2 (of three coordinates 0 … 3) of each
+            coordinate for distances, and 0 … 5 (0 … 3) for invariants.
+
+    The distance is that of the nearest point found from samples of the curve: nothing proves that there is no
+    nearer one between two of them.  Raises what `compile_approximator` does.
+
+    >>> import tempfile
+    >>> folder = tempfile.TemporaryDirectory()
+    >>> circle = compile_evaluator("cos(t), sin(t)", "distance", 0, "pi", folder=folder.name).load()
+    >>> circle.distance([[0.0, 3.0], [0.0, 0.5]])["distance"].tolist()
+    [2.0, 0.5]
+    """
+    about = subject(formulas, low, high, parameters, name, jet)
+    if what not in WHAT:
+        raise DomainError(f"{what!r} is nothing to compile: choose {' or '.join(WHAT)}.")
+    command = _command(name, language, cpu)
+    if about.fixed:
+        about.curve.check_finite()
+    wanted = Evaluator(about, what)
+    title = f"{what.capitalize()} of the curve {about.text}{_interval(about)}."
+    texts = {
+        f"{name}.c": wanted.source(command) + "\n" + explaining(name),
+        f"{name}.h": header(about, title, wanted.functions(), wanted.row),
+        f"{name}.hpp": wrapper(about, [wanted.wrapper()]),
+        f"{name}_example.c": wanted.example(),
+        f"{name}.py": wanted.module(title),
+    }
+    return _built(folder, name, texts, language, cpu, None)
+
+
+def _command(name: str, language: str, cpu: str | None) -> str:
+    """The compiler's command; raises DomainError for an unknown language, OsculantError if there is none."""
+    if language not in LANGUAGES:
+        raise DomainError(f"The language {language!r} is unknown: choose {' or '.join(LANGUAGES)}.")
+    return " ".join([*compiler(), *flags_for(cpu), f"-o lib{name}.so {name}.c -lm"])
+
+
+def _built(
+    folder: str | os.PathLike[str],
+    name: str,
+    texts: dict[str, str],
+    language: str,
+    cpu: str | None,
+    known: Numbers | None,
+) -> Compiled:
+    if language == "c":
+        del texts[f"{name}.py"]
     library = build(folder, name, texts, cpu)
     files = tuple(sorted(library.parent / file for file in (*texts, library.name)))
     if known is None:
         return Compiled(name, library, files)
     return Compiled(name, library, files, known.splits, known.undecided)
-
-
-def _texts(wanted: Approximator, command: str, language: str) -> dict[str, str]:
-    """The files beside the library, by name."""
-    about, functions = wanted.subject, wanted.functions()
-    title = f"{wanted.fit.primitive.plural.capitalize()} for the curve {about.text}{_interval(about)}."
-    texts = {
-        f"{about.name}.c": source(wanted, command) + "\n" + explaining(about.name),
-        f"{about.name}.h": header(about, title, functions, wanted.piece),
-        f"{about.name}.hpp": wrapper(about, functions, wanted.fields),
-        f"{about.name}_example.c": example(about, functions[0][0], functions[0][2]),
-    }
-    if language == "python":
-        texts[f"{about.name}.py"] = module(about, title, functions, wanted.fields)
-    return texts
 
 
 def _interval(about: Subject) -> str:

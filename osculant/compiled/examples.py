@@ -1,40 +1,44 @@
-"""A short program of C that calls a library."""
+"""Short programs of C that call a library."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from osculant.compiled.interface import Argument
 from osculant.compiled.subject import Subject
 
 #: values for arguments in examples
-_VALUES = {"low": "0.5", "high": "2.5", "tolerance": "1e-3", "splits": "NULL", "split_count": "0"}
+VALUES = {
+    "low": "0.5", "high": "2.5", "tolerance": "1e-3", "splits": "NULL", "split_count": "0",
+    "pieces": "pieces", "capacity": "1000", "count": "&count", "evaluate": "power",
+}  # fmt: skip
 
 
-def example(subject: Subject, function: str, arguments: Sequence[Argument]) -> str:
-    """A program that prints the knots and errors of the pieces for one tolerance."""
-    name, passed, before = subject.name, [], []
+def values_of(
+    subject: Subject, arguments: Sequence[Argument], more: Mapping[str, str] | None = None
+) -> tuple[list[str], list[str]]:
+    """(lines before a call in an example, what it passes on)."""
+    before, passed, known = [], [], {**VALUES, **(more or {})}
     for argument in arguments:
         if argument.name == "parameters":
             size = max(1, len(subject.parameters))
             values = ", ".join(str(float(size - i)) for i in range(size))
-            before.append(f"    const double parameters[{size}] = {{{values}}};")
-            passed.append("parameters")
-        elif argument.name == "evaluate":
-            passed.append("power")
-        elif argument.name == "pieces":
-            passed.append("pieces")
-        elif argument.name in ("capacity", "count"):
-            passed.append("1000" if argument.name == "capacity" else "&count")
-        else:
-            passed.append(_VALUES[argument.name])
-    given = "\n".join(before) + "\n" if before else ""
+            before.append(f"const double parameters[{size}] = {{{values}}};")
+        passed.append(known.get(argument.name, argument.name))
+    return before, passed
+
+
+def example(subject: Subject, function: str, arguments: Sequence[Argument]) -> str:
+    """A program that prints the knots and errors of the pieces for one tolerance."""
+    name = subject.name
+    before, passed = values_of(subject, arguments)
+    given = "".join(f"    {line}\n" for line in before)
     return f"""\
 /* {name}_example.c: cc {name}_example.c {name}.c -lm -o {name}_example */
 #include "{name}.h"
 
 #include <stdio.h>
-{_own_jet(subject)}
+{own_jet(subject, subject.dimension)}
 int main(void)
 {{
     static {name}_piece pieces[1000];
@@ -51,22 +55,21 @@ int main(void)
 """
 
 
-def _own_jet(subject: Subject) -> str:
-    """A curve for a library that has none: powers of t."""
+def own_jet(subject: Subject, order: int) -> str:
+    """A curve for a library that has none: powers of t, with so many derivatives."""
     if subject.coordinates is not None:
         return ""
     rows = ["t, 1.0, 0.0", "t * t * t, 3.0 * t * t, 6.0 * t"]
     if subject.dimension == 3:
-        rows = ["t, 1.0, 0.0, 0.0", "t * t, 2.0 * t, 2.0, 0.0", "t * t * t, 3.0 * t * t, 6.0 * t, 6.0"]
-    size = (subject.dimension + 1) * subject.dimension
+        rows.insert(1, "t * t, 2.0 * t, 2.0")
+    longer = {"t, 1.0, 0.0": ", 0.0", "t * t, 2.0 * t, 2.0": ", 0.0", rows[-1]: ", 6.0"}
+    filled = [row + (longer[row] if order > 2 else "") + ", 0.0" * (order - 3) for row in rows]
+    size = (order + 1) * subject.dimension
     return f"""
 static void power(double t, const double *parameters, double *out)
 {{
-    const double jet[{size}] = {{{", ".join(rows)}}};
+    const double jet[{size}] = {{{", ".join(filled)}}};
     (void)parameters;
     for (int i = 0; i < {size}; i++) out[i] = jet[i];
 }}
 """
-
-
-__all__ = ["example"]
