@@ -198,9 +198,8 @@ class Arcs:
     def pieces(self, run: Run) -> list[Any]:
         """The pieces themselves, in the user's coordinates."""
         make = self.fit.primitive.piece
-        pieces = [
-            make(row, self.place, float(error)) for row, error in zip(run.rows, run.errors, strict=True)
-        ]
+        rows = zip(run.rows.tolist(), run.errors.tolist(), strict=True)
+        pieces = [make(row, self.place, error) for row, error in rows]
         if self.stretch.covers is not None:
             first, last = self.stretch.covers
             pieces[0] = replace(pieces[0], interval=(first, pieces[0].interval[1]))

@@ -9,17 +9,18 @@ from osculant.primitives.conic import segment
 from osculant.primitives.primitive import Itself, Primitive, Theorem, user_point
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from osculant.kernels.curves.plane import Place
     from osculant.pieces.biarcs import Biarc
-    from osculant.pieces.piece import Floats
 
 
-def biarc_piece(values: Floats, place: Place, error: float) -> Biarc:
+def biarc_piece(values: Sequence[float], place: Place, error: float) -> Biarc:
     """A row of the kernels' table (`kernels.biarcs.records.Row`) as a biarc, or as the one arc that it is."""
     from osculant.kernels.biarcs.records import Row
     from osculant.pieces.biarcs import Biarc
 
-    row = Row(*values.tolist())
+    row = Row(*values)
     scale, side = place.scale, place.side
     chord = math.hypot(row.x1 - row.x0, row.y1 - row.y0)
     dx, dy = (row.x1 - row.x0) / chord, (row.y1 - row.y0) / chord

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 from osculant.primitives.primitive import Itself, Primitive
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from osculant.kernels.curves.space import Place
     from osculant.pieces.helices import HelixArc, SpacePiece, Vector
-    from osculant.pieces.piece import Floats
 
 
 def equioscillating(order: int) -> Any:
@@ -29,7 +30,7 @@ def thesis(order: int) -> Any:
     return Bihelix(THESIS, float(order))
 
 
-def bihelix_piece(values: Floats, place: Place, error: float) -> SpacePiece:
+def bihelix_piece(values: Sequence[float], place: Place, error: float) -> SpacePiece:
     """A row of the kernels' table (`kernels.bihelices.records`), which is in the user's coordinates."""
     from osculant.kernels.bihelices.helix import HELIX_SIZE
     from osculant.kernels.bihelices.records import LEFT, MIDDLE, RIGHT
@@ -37,22 +38,22 @@ def bihelix_piece(values: Floats, place: Place, error: float) -> SpacePiece:
     from osculant.pieces.helices import SpacePiece
 
     arcs = tuple(helix_arc(values[first : first + HELIX_SIZE]) for first in (LEFT, RIGHT))
-    return SpacePiece((float(values[A]), float(values[B])), arcs, error, float(values[MIDDLE]))
+    return SpacePiece((values[A], values[B]), arcs, error, values[MIDDLE])
 
 
-def helix_arc(helix: Floats) -> HelixArc:
+def helix_arc(helix: Sequence[float]) -> HelixArc:
     """A `kernels.bihelices.helix.Helix` as a `HelixArc`: V of the thesis is minus the axis."""
-    import numpy as np
-
     from osculant.pieces.helices import HelixArc
 
-    start, tangent, inward = helix[0:3], helix[3:6], helix[9:12]
-    rate, length, _, curvature, torsion = helix[12:17].tolist()
-    axis = tangent
+    (x, y, z), (u, v, w) = helix[3:6], helix[9:12]  # tangent, inward
+    rate, length, _, curvature, torsion = helix[12:17]
+    axis = (x, y, z)
     if rate:  # V = T₀×(V×T₀) + ⟨V,T₀⟩T₀
-        axis = np.cross(tangent, inward) + torsion / rate * tangent
-        axis = axis / np.linalg.norm(axis)
-    return HelixArc(_vector(start), _vector(tangent), _vector(axis), curvature, torsion, length)
+        along = torsion / rate
+        axis = (y * w - z * v + along * x, z * u - x * w + along * y, x * v - y * u + along * z)
+        size = math.hypot(*axis)
+        axis = (axis[0] / size, axis[1] / size, axis[2] / size)
+    return HelixArc((helix[0], helix[1], helix[2]), (x, y, z), axis, curvature, torsion, length)
 
 
 def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
@@ -73,11 +74,6 @@ def segment(interval: tuple[float, float], start: Vector, end: Vector) -> SpaceP
     length = math.dist(start, end)
     x, y, z = ((last - first) / length for first, last in zip(start, end))
     return SpacePiece(interval, (HelixArc(start, (x, y, z), (x, y, z), 0.0, 0.0, length),), 0.0)
-
-
-def _vector(values: Floats) -> Vector:
-    x, y, z = values.tolist()
-    return x, y, z
 
 
 BIHELIX = Primitive(

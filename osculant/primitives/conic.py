@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING, Any
 from osculant.primitives.primitive import Itself, Method, Primitive, Theorem, user_point
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from osculant.kernels.conics.records import Row
     from osculant.kernels.curves.plane import Place
     from osculant.pieces.conics import Piece, Point
     from osculant.pieces.kinds import ConicKind
-    from osculant.pieces.piece import Floats
 
 
-def conic_piece(values: Floats, place: Place, error: float) -> Piece:
+def conic_piece(values: Sequence[float], place: Place, error: float) -> Piece:
     """A row of the kernels' table (`kernels.conics.records.Row`) as a conic arc."""
     from osculant.pieces.conics import classify
 
@@ -23,15 +24,15 @@ def conic_piece(values: Floats, place: Place, error: float) -> Piece:
     return _arc(row, place, error, classify(row.weight), row.weight)
 
 
-def parabola_piece(values: Floats, place: Place, error: float) -> Piece:
+def parabola_piece(values: Sequence[float], place: Place, error: float) -> Piece:
     """A row of the kernels' table as an arc of a parabola."""
     return _arc(_row(values), place, error, "parabola", 1.0)
 
 
-def _row(values: Floats) -> Row:
+def _row(values: Sequence[float]) -> Row:
     from osculant.kernels.conics.records import Row
 
-    return Row(*values.tolist())
+    return Row(*values)
 
 
 def _arc(row: Row, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
@@ -45,7 +46,7 @@ def _arc(row: Row, place: Place, error: float, kind: ConicKind, weight: float) -
     return Piece(kind, (row.a, row.b), start, end, middle, weight, error)
 
 
-def member(values: Floats) -> float:
+def member(values: Sequence[float]) -> float:
     """Q of a row of the kernels' table."""
     return _row(values).q
 

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 from osculant.primitives.primitive import Primitive, user_point
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from osculant.kernels.curves.plane import Place
     from osculant.pieces.conics import Point
     from osculant.pieces.cubics import Cubic
-    from osculant.pieces.piece import Floats
 
 
 def least_distance(order: int) -> Any:
@@ -28,12 +29,12 @@ def least_area(order: int) -> Any:
     return CubicArea()
 
 
-def cubic_piece(values: Floats, place: Place, error: float) -> Cubic:
+def cubic_piece(values: Sequence[float], place: Place, error: float) -> Cubic:
     """A row of the kernels' table (`kernels.cubics.records.Row`) as a cubic."""
     from osculant.kernels.cubics.records import Row
     from osculant.pieces.cubics import Cubic
 
-    row = Row(*values.tolist())
+    row = Row(*values)
     arm0, arm3 = row.a0 / place.scale, row.a3 / place.scale
     start, end = user_point(place, row.x0, row.y0), user_point(place, row.x3, row.y3)
     first = start[0] + arm0 * row.tx0, start[1] + arm0 * row.ty0 * place.side

@@ -8,10 +8,12 @@ from osculant.primitives import bihelix, conic
 from osculant.primitives.primitive import Primitive, Theorem, user_point
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from osculant.kernels.curves import plane, space
     from osculant.pieces.conics import Piece
     from osculant.pieces.helices import SpacePiece
-    from osculant.pieces.piece import Floats
+
 
 #: pieces touch the curve with their ends only, and their least number is among such
 INSCRIBED = "the fewest inscribed that were found"
@@ -38,26 +40,29 @@ def space_chord(order: int) -> Any:
     return SpaceChord()
 
 
-def plane_piece(row: Floats, place: plane.Place, error: float) -> Piece:
+def plane_piece(row: Sequence[float], place: plane.Place, error: float) -> Piece:
     """A row of the kernels' table (`kernels.polygons.records`) as a segment of the plane."""
     from osculant.kernels.operations import SHAPE
     from osculant.pieces.conics import Piece
 
-    a, b, *_ = row.tolist()
-    x0, y0, x1, y1 = row[SHAPE:].tolist()
+    a, b, *_ = row
+    x0, y0, x1, y1 = row[SHAPE:]
     return Piece.segment((a, b), user_point(place, x0, y0), user_point(place, x1, y1), error)
 
 
-def space_piece(row: Floats, place: space.Place, error: float) -> SpacePiece:
+def space_piece(row: Sequence[float], place: space.Place, error: float) -> SpacePiece:
     """A row of the kernels' table as a segment in space."""
     from dataclasses import replace
 
     from osculant.kernels.operations import SHAPE
 
-    a, b, *_ = row.tolist()
-    ends = row[SHAPE:].reshape(2, 3) / place.scale + (place.x, place.y, place.z)
-    start, end = (tuple(point) for point in ends.tolist())
-    return replace(bihelix.segment((a, b), start, end), error=error)
+    a, b, *_ = row
+    back, ends = 1.0 / place.scale, row[SHAPE:]
+
+    def user(x: float, y: float, z: float) -> tuple[float, float, float]:
+        return x * back + place.x, y * back + place.y, z * back + place.z
+
+    return replace(bihelix.segment((a, b), user(*ends[:3]), user(*ends[3:])), error=error)
 
 
 def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:

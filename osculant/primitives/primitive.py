@@ -5,7 +5,7 @@ The command line lists the table for its help: kernels, laws and numpy are impor
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
@@ -13,7 +13,6 @@ from osculant.cas.laws import law as laws
 
 if TYPE_CHECKING:
     from osculant.kernels.curves.plane import Place
-    from osculant.pieces.piece import Floats
 
 #: how errors are measured, the default first
 METRICS = tuple(laws.METRICS)
@@ -56,7 +55,7 @@ class Theorem:
 
     claim: str
     half_turns: int = 2
-    member: Callable[[Floats], float] | None = None
+    member: Callable[[Sequence[float]], float] | None = None
 
 
 @dataclass(frozen=True)
@@ -93,7 +92,7 @@ class Primitive:
     theory: tuple[str, ...]
     itself: Itself | None
     theorems: Mapping[tuple[str, str], Theorem]
-    piece: Callable[[Floats, Any, float], Any]
+    piece: Callable[[Sequence[float], Any, float], Any]
     segment: Callable[[tuple[float, float], Any, Any], Any]
     splits: tuple[str, ...] = ("inflection",)
     monotone: bool = True
