@@ -25,6 +25,8 @@ ORDER, NARROWEST, MOST = 8, 2.0**-44, 20_000
 SAMPLES, INNER, AGAIN = 100, 4, 9
 #: peaks lower than this part of the highest are not looked at again, nor are more than so many
 HIGH, MOST_PEAKS = 0.97, 8
+#: looks at each peak, and what the last of them may add, in parts of the height
+ROUNDS, GAIN = 16, 1e-9
 
 ON_ARRAYS = {
     name: getattr(np, name) for name in ("exp", "sin", "cos", "log", "sqrt", "tan", "sinh", "cosh", "tanh")
@@ -287,7 +289,7 @@ def one_sided(one, other):
     peaks = np.flatnonzero((found >= padded[:-2]) & (found >= padded[2:]) & (found >= HIGH * top))
     peaks = peaks[np.argsort(-found[peaks])][:MOST_PEAKS]
     low, high = one.places[np.maximum(peaks - 1, 0)], one.places[np.minimum(peaks + 1, len(found) - 1)]
-    for _ in range(2):
+    for _ in range(ROUNDS):
         places = low[:, None] + (high - low)[:, None] * np.linspace(0, 1, AGAIN)
         again = other.distances(one.at(places.ravel())).reshape(places.shape)
         best = np.clip(np.argmax(again, axis=1), 1, AGAIN - 2)
@@ -299,6 +301,8 @@ def one_sided(one, other):
         inside = (d1 >= d0) & (d1 >= d2) & (bend > 0)
         gain = np.where(inside, (d2 - d0) ** 2 / (8 * np.where(bend > 0, bend, 1.0)), 0.0)
         highest = (d1 + gain).max()
+        if highest <= top * (1 + GAIN):  # else the peak may be a corner, which no parabola fits
+            break
     return max(top, float(highest))
 
 
