@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from osculant.approximation.for_files import Wanted, check_arcs, with_first_file
 from osculant.cas.errors import DomainError, OsculantError, ToleranceError, UndecidedError
+from osculant.files.writing import listed
 from osculant.primitives.table import PRIMITIVES, candidates
 
 if TYPE_CHECKING:
@@ -46,7 +47,9 @@ def approximate_best(
             check_arcs(files, PRIMITIVES[curve.dimension][primitive])
         except OsculantError as error:
             failure = failure or error
-            reasons.append(f"{primitive}: not for {files[0].writer.name}")
+            arcs = PRIMITIVES[curve.dimension][primitive].arcs
+            unable = dict.fromkeys(file.writer.name for file in files if not file.writer.holds(arcs))
+            reasons.append(f"{primitive}: not for {listed(list(unable))}")
             continue
         try:
             spline, first = with_first_file(

@@ -42,3 +42,12 @@ def test_a_number_of_pieces_or_a_rule_belongs_to_one_primitive():
     for choice in ({"pieces": 4}, {"rule": "minimal-area", "metric": "area"}):
         with pytest.raises(DomainError, match="belongs to one primitive: name that and not 'best'"):
             osc.approximate(osc.curve(*SPIRAL), "best", **choice)
+
+
+def test_what_a_format_cannot_hold_is_said_of_that_format(tmp_path):
+    files = [tmp_path / "a.svg", tmp_path / "b.nc"]
+    best = osc.approximate(osc.curve(*SPIRAL), "best", 1e-2, files=files)
+    assert best.primitive == "biarc"
+    assert [choice for choice in best.choice if "not for" in choice] == [
+        f"{name}: not for G-code" for name in candidates(2) if name != "biarc"
+    ]
