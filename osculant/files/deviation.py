@@ -25,6 +25,8 @@ STEPS, PEAKS, LOOKS = 12, 12, 3
 DIFFERENCE, SETTLED = 1e-5, 1e-7
 #: a stroke beside the nearest one is looked at if its samples are not farther by this
 FARTHER = 3.0
+#: the largest distances are made sure of: so many at once, so often at most, by so many samples of a stroke
+BATCH, BATCHES, FINE = 16, 100, 259
 
 Follow = Callable[["Floats"], "Floats"]
 Whole = np.ndarray[Any, np.dtype[np.integer[Any]]]
@@ -114,6 +116,15 @@ def _feet(points: Floats, rows: Whole, other: _Side) -> tuple[Floats, Floats]:
     count, _, _ = other.points.shape
     best, feet = np.full(len(points), np.inf), np.empty(len(points))
     nearest = np.full(len(points), np.inf)
+
+    def look(chosen: Whole, start: Floats, near: Whole, gap: Floats) -> None:
+        """Descend to feet on those strokes from parameters that are so far away."""
+        low, high = other.parameters[near][:, [0, -1]].T
+        gap, foot = _descend(points[chosen], other.at, start, low, high, gap)
+        closer = np.flatnonzero(gap < best[chosen])
+        closer = closer[np.argsort(-gap[closer])]  # a point may be there several times: the least is last
+        best[chosen[closer]], feet[chosen[closer]] = gap[closer], foot[closer]
+
     for shift in (0, -1, 1) if count > 1 else (0,):
         near = np.clip(rows + shift, 0, count - 1)
         gaps = np.linalg.norm(other.points[near] - points[:, None], axis=2)
@@ -121,11 +132,44 @@ def _feet(points: Floats, rows: Whole, other: _Side) -> tuple[Floats, Floats]:
         gap, start = gaps[np.arange(len(points)), sample], other.parameters[near, sample]
         nearest = np.minimum(nearest, gap)
         worth = np.flatnonzero(gap <= FARTHER * nearest)
-        low, high = other.parameters[near[worth]][:, [0, -1]].T
-        gap, foot = _descend(points[worth], other.at, start[worth], low, high, gap[worth])
-        closer = gap < best[worth]
-        best[worth[closer]], feet[worth[closer]] = gap[closer], foot[closer]
+        look(worth, start[worth], near[worth], gap[worth])
+    sure = np.zeros(len(points), dtype=bool)
+    for _ in range(BATCHES):
+        chosen = np.argsort(best)[-BATCH:]
+        chosen = chosen[~sure[chosen]]
+        if not len(chosen) or sure[best.argmax()]:
+            break
+        for shift in (0, -1, 1) if count > 1 else (0,):
+            near = np.clip(rows[chosen] + shift, 0, count - 1)
+            which, start, gap = _valleys(points[chosen], best[chosen], near, other)
+            look(chosen[which], start, near[which], gap)
+        sure[chosen] = True
     return best, feet
+
+
+def _valleys(points: Floats, best: Floats, near: Whole, other: _Side) -> tuple[Whole, Floats, Floats]:
+    """Where else feet may be: (which point, parameter, distance) at and beside the minima of many samples.
+
+    Where a curve turns sharply, the nearest of few samples may lie on another branch than the foot.
+
+    Args:
+        points: of shape (m, dimension).
+        best: how near feet are known; only what may be nearer is told.
+        near: a stroke for each point.
+        other: the side where feet are sought.
+    """
+    low, high = other.parameters[near][:, [0, -1]].T
+    times = low[:, None] + np.linspace(0, 1, FINE)[1:-1] * (high - low)[:, None]
+    places = other.at(times.ravel()).reshape(len(points), FINE - 2, -1)
+    gaps = np.linalg.norm(places - points[:, None], axis=2)
+    steps = np.linalg.norm(np.diff(places, axis=1), axis=2)
+    reach = np.maximum(np.pad(steps, ((0, 0), (1, 0))), np.pad(steps, ((0, 0), (0, 1))))
+    beyond = np.pad(gaps, ((0, 0), (1, 1)), constant_values=np.inf)
+    minima = (gaps <= beyond[:, :-2]) & (gaps <= beyond[:, 2:]) & (gaps - reach < best[:, None])
+    which, sample = np.nonzero(minima)
+    which = which.repeat(3)
+    sample = np.clip(sample[:, None] + (-1, 0, 1), 0, FINE - 3).ravel()
+    return which, times[which, sample], gaps[which, sample]
 
 
 def _descend(

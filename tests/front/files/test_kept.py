@@ -34,6 +34,11 @@ CURVES = {
 }
 
 
+def slow(*values):
+    """Parameters of a test that takes long."""
+    return pytest.param(*values, marks=pytest.mark.slow)
+
+
 def sampled(name):
     """Points of a curve by sympy and numpy."""
     formula, *ends = CURVES[name]
@@ -183,6 +188,24 @@ def test_a_spline_without_room_is_not_written_beyond_the_tolerance(tmp_path):
         helices.write(tmp_path / "b.nc")
     given = osc.approximate(osc.curve(*CURVES["spiral"]), "biarc", pieces=10)
     assert given.write(tmp_path / "c.nc", decimals=2).error > given.tolerance  # there was no tolerance
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".dxf", ".nc"])
+@pytest.mark.parametrize(("first", "tolerance"), [("1/20", 1e-3), slow("1/50", 1e-2), slow("1/30", 0.05)])
+def test_bends_much_narrower_than_the_tolerance_are_measured_on_their_own_branch(
+    first, tolerance, suffix, tmp_path
+):
+    curve = osc.curve("t, sin(1/t)", first, 1)
+    for primitive in ("biarc",) if suffix == ".nc" else ("cubic", "conic"):
+        path = tmp_path / f"a{suffix}"
+        spline = osc.approximate(curve, primitive, tolerance, files=path)
+        file = spline.write(path)
+        assert file.error <= tolerance
+        assert len(spline) <= len(osc.approximate(curve, primitive, 0.8 * tolerance))
+    if suffix == ".nc":
+        points = along(lambda t: (t, np.sin(1 / t)), float(sympy.sympify(first)), 1)
+        true = max(distances(path.read_text(), points).values())
+        assert true <= tolerance * (1 + 1e-2) and file.error == pytest.approx(true, rel=2e-2)
 
 
 def test_several_files_have_room_for_the_neediest(tmp_path):
