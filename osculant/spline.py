@@ -182,7 +182,7 @@ class Spline:
 
     @property
     def errors(self) -> list[float]:
-        """The error of each piece, as estimated."""
+        """The error of each piece, as estimated: those far below the tolerance to 1e-5 of it only."""
         return [float(piece.error) for piece in self.pieces]
 
     @property

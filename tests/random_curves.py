@@ -28,6 +28,8 @@ from tests.hausdorff import Formula, GaveUpError, distance
 #: an error is in excess if it is more than so many tolerances; a report too small if the error is more than
 #: so many times as large
 EXCESS, HONEST = 1 + 1e-6, 1 + 1e-5
+#: reports resolve errors to this part of the tolerance: of much smaller ones they tell fewer digits
+UNRESOLVED = 1e-5
 #: passed over: so many rounding units of the largest coordinate, of pieces that are said to be parts of the
 #: curve itself the floor of tolerances, and parts of the tolerance, as the distance has an error of its own
 ROUNDING, FLOOR, SLACK = 32, 1000, 1e-7
@@ -300,7 +302,8 @@ def measured(case: Case, segments: list[dict], spent: float) -> Outcome:
         told = segment["error"]
         slack = (ROUNDING if told else FLOOR) * unit + SLACK * case.tolerance
         found = max(0.0, distance(formula, segment, edges, density) - slack)
-        return found / case.tolerance, found / told if told else (math.inf if found else 0.0)
+        beyond = max(0.0, found - UNRESOLVED * case.tolerance) if told else found
+        return found / case.tolerance, beyond / told if told else (math.inf if found else 0.0)
 
     seen = [errors(segment, 1) for segment in segments]
     doubtful = {max(range(len(seen)), key=lambda i: seen[i][which]) for which in (0, 1)}
