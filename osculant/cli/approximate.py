@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from contextlib import nullcontext, redirect_stdout
 from time import perf_counter
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -24,6 +24,7 @@ from osculant.cli.options import (
 )
 from osculant.cli.output import Waiting, announce_compiling, print_json
 from osculant.cli.splines import print_spline
+from osculant.cli.unsplit import pieces_unsplit
 from osculant.files.registry import WRITERS, writers
 from osculant.files.writing import listed, stands_for_stdout
 from osculant.primitives.table import METRICS, PRIMITIVES
@@ -248,5 +249,7 @@ def approximate(
     if as_json:
         print_json(spline.to_json() | {"files": [file.to_json() for file in written]})
         return
+    wanted: dict[str, Any] = {"rule": rule, "metric": metric, "closed": closed, "split_at": split_at or ()}
+    without = pieces_unsplit(curve, spline, **wanted)
     with redirect_stdout(sys.stderr) if piped else nullcontext():
-        print_spline(spline, seconds, written, [] if plot is None else [plot])
+        print_spline(spline, seconds, written, [] if plot is None else [plot], without)

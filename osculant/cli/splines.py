@@ -22,12 +22,21 @@ LISTED = 8
 MOVES = {"G-code": "moves", "JSON": "pieces"}
 #: of a spline without the splits that theory wants
 UNSPLIT = "never where only theory wants it: errors are measured, but nothing proves the number minimal"
+#: of one with them, if there are fewer without
+FEWER = "theory forces knots; with --split never {} will do, not proved to be the least"
 
 
 def print_spline(
-    spline: Spline, seconds: float, files: Sequence[Written], pictures: Sequence[str] = ()
+    spline: Spline,
+    seconds: float,
+    files: Sequence[Written],
+    pictures: Sequence[str] = (),
+    unsplit: int | None = None,
 ) -> None:
-    """Print what was made, how good it is and whether it is the best, one fact a line."""
+    """Print what was made, how good it is and whether it is the best, one fact a line.
+
+    ``unsplit`` pieces would do without the knots that theory wants, if that is fewer.
+    """
     rows = [
         ("curve", spline.curve.text),
         ("interval", f"{spline.knots[0]:.10g} to {spline.knots[-1]:.10g}"),
@@ -38,6 +47,7 @@ def print_spline(
         *_closing(spline),
         ("split points", _listed(spline.splits)),
         *([("split", UNSPLIT)] if spline.split == "never" and spline.minimal == "unknown" else []),
+        *_without(unsplit),
         *([("undecided", _listed(spline.undecided))] if spline.undecided else []),
         *_tangents(spline),
         *([("bridged", _bridged(spline))] if spline.bridged else []),
@@ -46,6 +56,13 @@ def print_spline(
         *(("written", printable(picture)) for picture in pictures),
     ]
     print_rows(rows)
+
+
+def _without(unsplit: int | None) -> list[tuple[str, str]]:
+    """What will do without the knots that theory wants, if that is fewer pieces."""
+    if unsplit is None:
+        return []
+    return [("split", FEWER.format("one piece" if unsplit == 1 else f"{unsplit} pieces"))]
 
 
 def _written(file: Written) -> str:

@@ -14,6 +14,7 @@ from osculant.cli.grammar import UsageError
 from osculant.cli.main import main
 from osculant.cli.options import writing_options
 from osculant.cli.splines import UNSPLIT, print_spline
+from osculant.cli.unsplit import pieces_unsplit
 from osculant.primitives.table import candidates
 from osculant.spline import Spline
 from tests.front.cli.test_cli import assert_one_sentence
@@ -37,6 +38,35 @@ def run(capsys, *arguments: str) -> dict[str, str]:
 def printed(capsys, spline: Spline) -> dict[str, str]:
     print_spline(spline, 0.1, ())
     return rows_of(capsys.readouterr().out)
+
+
+COSH = ["t, cosh(t)", "--from", "-1", "--to", "2"]
+
+
+def test_knots_that_cost_pieces_are_told(capsys):
+    rows = run(capsys, "approximate", *COSH, "--tolerance", "1e-2")
+    assert rows["pieces"] == "3"
+    assert rows["split"].startswith("theory forces knots; with --split never 2 pieces will do")
+    assert run(capsys, "approximate", *COSH, "--tolerance", "1e-2", "--split", "never")["pieces"] == "2"
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--tolerance", "1e-3", "--with", "polygon"],  # theory wants no knots
+        ["--pieces", "4"],
+        ["--tolerance", "1e-2", "--split", "never"],
+    ],
+)
+def test_where_they_cost_nothing_is_said(capsys, options):
+    assert "theory forces" not in run(capsys, "approximate", *COSH, *options).get("split", "")
+
+
+def test_what_takes_too_long_is_not_told():
+    curve = osculant.curve("t, cosh(t)", -1, 2)
+    spline = osculant.approximate(curve, "conic", 1e-2)
+    assert pieces_unsplit(curve, spline, 1e-4) is None
+    assert pieces_unsplit(curve, spline, 60) == 2
 
 
 def test_the_area_metric(capsys):
@@ -80,7 +110,7 @@ def test_never_split_says_what_is_not_proved(capsys):
     curve = ["t, cosh(t)", "--from", "-1", "--to", "1", "--tolerance", "1e-5"]
     split = run(capsys, "approximate", *curve)
     unsplit = run(capsys, "approximate", *curve, "--split", "never")
-    assert split["split points"] != "none" and "split" not in split
+    assert split["split points"] != "none" and split.get("split") != UNSPLIT
     assert unsplit["split points"] == "none" and unsplit["split"] == UNSPLIT
     assert unsplit["minimal"] == "unknown" and int(unsplit["pieces"]) <= int(split["pieces"])
 
