@@ -11,10 +11,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from osculant.kernels.bracket import safeguarded
 from osculant.kernels.conics.pencil import Pencil, is_proper, parabola, pencil, through, view, weight
 from osculant.kernels.conics.strip import (
     BY_Q,
-    BY_SERIES,
     SERIES,
     STRIP,
     Lane,
@@ -35,8 +35,9 @@ WHOLE = 1
 FIRST_LEVEL = 1
 #: Newton steps for Q; the last one is taken on the strip's tangent, at this part of the area
 Q_STEPS, NEARLY = 8, 1e-7
-#: rounds of the search for the least area; the move of its crossing that ends them: the area is stationary
-LEAST_ROUNDS, LEAST_MOVE = 6, 1e-7
+#: steps for the crossing of the conic of least area; one so small, in parts of the arc, is the last: Newton's
+#: method squares it
+PLACE_STEPS, PLACED = 40, 1e-6
 #: fewer nodes will do if their error is below this part of what is allowed
 SPARE = 0.1
 
@@ -64,38 +65,23 @@ def equal_moons(pen: Pencil, q: float, level: int, lanes: Lanes) -> float:
 
 
 @kernel
-def halving(order: int, count: int, lanes: Lanes, x: float) -> float:
-    """The place that cuts ∫ by_q(1 − κd) ds in two equal parts, by Newton's method from x."""
-    _, _, whole = evaluate(order, count, lanes[BY_SERIES], 1.0)
-    for _ in range(Q_STEPS):
-        value, _, area = evaluate(order, count, lanes[BY_SERIES], x)
-        square = 1.0 - x * x
-        step = (area - 0.5 * whole) / (value * square * square)
-        x = min(0.9, max(-0.9, x - step))
-        if abs(step) <= LEAST_MOVE:
-            break
-    return x
+def halfway(pen: Pencil, source: Source, a: float, b: float) -> tuple[float, float]:
+    """(Q, place) of the member that crosses the arc on the line through its control point and mid-chord.
 
-
-@kernel
-def least_area(
-    pen: Pencil, source: Source, a: float, b: float, q: float, level: int, lanes: Lanes
-) -> tuple[float, float]:  # fmt: skip
-    """(Q, crossing) of the member whose crossing halves ∫ by_q(1 − κd) ds, so that its area is stationary.
-
-    NaN if there is none; leaves its strip.
+    The place is the root of the linear form l₀ sin A − l₂ sin B, positive at a and negative at b: of a
+    strictly convex arc that each member crosses once at most the member through it is the only one of least
+    area (theorem C, the thesis's conjecture 3.1.2).  Q is NaN if it has no member.
     """
-    count, x = COUNTS[level], 0.0
-    for _ in range(LEAST_ROUNDS):
-        if not (q > 0.0) or fill(pen, q, count, lanes) > 0:
-            return math.nan, x
-        expand(WHOLE, level, lanes[BY_Q], lanes[BY_SERIES])
-        moved = halving(WHOLE, count, lanes, x)
-        if abs(moved - x) <= LEAST_MOVE:
-            return q, x
-        x = moved
-        q = through(view(pen, source, 0.5 * (a + b) + 0.5 * (b - a) * x))
-    return math.nan, x
+    low, high, t = a, b, 0.5 * (a + b)
+    for _ in range(PLACE_STEPS):
+        seen = view(pen, source, t)
+        form = seen.l0 * pen.sin_a - seen.l2 * pen.sin_b
+        slope = (seen.t0 * pen.sin_a - seen.t2 * pen.sin_b) * seen.speed
+        before = t
+        t, low, high = safeguarded(t, -form / slope, form < 0.0, low, high)
+        if abs(t - before) <= PLACED * (b - a):
+            break
+    return through(view(pen, source, t)), t
 
 
 @kernel
@@ -180,17 +166,20 @@ def stationary_area(
 ) -> tuple[float, float, bool, int]:  # fmt: skip
     """The same for the conic of least area, which has not settled where it crosses the arc more than once.
 
-    Then stationarity is another equation.
+    Then the linear form does not tell it.
     """
-    lanes, crossing, q = lanes_of(space), 0.0, math.nan
+    lanes, x, q = lanes_of(space), 0.0, math.nan
     count = COUNTS[level]
     pen = pencil(start, end, source.place.noise)
     if is_proper(pen):
         sample_panel(pen, source, a, b, WHOLE, level, lanes)
-        q, crossing = least_area(pen, source, a, b, through_middle(lanes, count), level, lanes)
+        q, t = halfway(pen, source, a, b)
+        x = 2.0 * (t - a) / (b - a) - 1.0
+        if not (q > 0.0) or fill(pen, q, count, lanes) > 0:
+            q = math.nan
     area, q, settled, after = area_of(pen, q, level, calm, lanes)
     if area > 0.0:
-        _, _, first = evaluate(WHOLE, count, lanes[SERIES], crossing)
+        _, _, first = evaluate(WHOLE, count, lanes[SERIES], x)
         _, _, signed = evaluate(WHOLE, count, lanes[SERIES], 1.0)
         if area - abs(first) - abs(signed - first) > calm * area + pen.noise * pen.chord:
             return area, q, False, level

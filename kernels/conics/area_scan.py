@@ -11,12 +11,22 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from osculant.kernels.conics.area_exchange import WHOLE
-from osculant.kernels.conics.pencil import Pencil, is_flat, is_proper, parabola, pencil, weight
+from osculant.kernels.conics.area_exchange import WHOLE, halfway
+from osculant.kernels.conics.pencil import (
+    Pencil,
+    is_flat,
+    is_proper,
+    parabola,
+    pencil,
+    through,
+    weight,
+    within_noise,
+)
 from osculant.kernels.conics.scan import (
     LARGEST_PART,
     LARGEST_TURN,
     TOLD,
+    at_row,
     look,
     members_through,
 )
@@ -286,12 +296,42 @@ def best_equal(
 def best_least(
     fit: Any, source: Source, a: float, start: Frame, b: float, end: Frame, points: int, space: Space
 ) -> tuple[float, float]:
-    """(area, Q) of the conic of least area, as `best_parabola`."""
+    """(area, Q) of the conic of least area, as `best_parabola`.
+
+    Where samples see it cross the arc once the linear form tells it; else it is searched for.
+    """
     pen = pencil(start, end, source.place.noise)
     if is_flat(pen):
         return measure(pen, 0.0, source, a, b, space), 0.0
-    low, high = bracket(pen, source, a, b, points, space)
-    return least(pen, source, a, b, low, high, space) if low > 0.0 else (math.inf, math.nan)
+    if not is_proper(pen):
+        return math.inf, math.nan
+    q, _ = halfway(pen, source, a, b)
+    count = look(pen, source, a, b, points, space)
+    low, high = members_through(pen, space, count) if count > 0 else (0.0, 0.0)
+    if not low > 0.0:
+        return math.inf, math.nan
+    if q > 0.0 and weight(pen, q) > -1.0 and is_monotone(pen, space, count):
+        area = measure(pen, q, source, a, b, space)
+        if area < math.inf:
+            return area, q
+    return least(pen, source, a, b, low, high, space)
+
+
+@kernel
+def is_monotone(pen: Pencil, space: Space, count: int) -> bool:
+    """Whether Q of the members through the samples goes one way: then each crosses the arc once at most."""
+    before, way = math.nan, 0.0
+    for i in range(count):
+        seen = at_row(space[0], i)
+        if within_noise(pen, seen):  # says nothing
+            continue
+        q = through(seen)
+        if (q - before) * way < 0.0:
+            return False
+        if q != before and not math.isnan(before):
+            way = q - before
+        before = q
+    return way != 0.0
 
 
 @kernel

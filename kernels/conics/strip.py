@@ -19,9 +19,9 @@ from osculant.kernels.generated import pencil as generated
 from osculant.kernels.jit import kernel
 
 #: rows of the scratch space: the lines and their derivatives along N, speed times half the panel, curvature,
-#: the sine of the angle from T₀; the strip, its derivative by Q, and their series
+#: the sine of the angle from T₀; the strip, its derivative by Q, and the strip's series
 L0, L1, L2, N0, N1, N2, SPEED, CURVATURE, SINE = 0, 1, 2, 3, 4, 5, 6, 7, 8
-STRIP, BY_Q, SERIES, BY_SERIES = 9, 10, 11, 12
+STRIP, BY_Q, SERIES = 9, 10, 11
 
 #: all rows, and one of them
 Lanes = np.ndarray[Any, Any]

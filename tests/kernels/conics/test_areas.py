@@ -113,6 +113,38 @@ def test_series_integrate_polynomials_exactly(order, level):
     assert unsigned == pytest.approx(np.trapezoid(np.abs(whole(dense)), dense), rel=1e-7)
 
 
+@settings(max_examples=25, deadline=None)
+@given(
+    st.sampled_from([SPIRAL_TEXT, "exp(t/3)*cos(t), exp(t/3)*sin(t)", "t, exp(t)", "t, t^5"]),
+    st.floats(0.5, 2.0),
+    st.floats(0.1, 2.2),
+)
+def test_the_linear_form_tells_the_least_area(text, a, length):
+    """Theorem C: no search among the members finds a smaller area than the root of the linear form."""
+    jet, b = jet_of(text), a + length
+    on = arc(jet, a, b)
+    room = workspace(LEAST)
+    pen = pencils.pencil(on.start, on.end, NOISE)
+    low, high = area_scan.bracket(pen, on.source, a, b, 40, room)
+    assume(low > 0)
+    searched, _ = area_scan.least(pen, on.source, a, b, low, high, room)
+    found, q = careful(LEAST, jet, a, b)
+    slack = NOISE * pen.chord
+    assert found == pytest.approx(searched, rel=1e-12, abs=slack)
+    for off in (-1e-3, 1e-3):
+        assert area_scan.measure(pen, q * (1 + off), on.source, a, b, room) >= found - slack
+
+
+def test_beyond_an_affine_spiral_the_least_area_is_searched_for():
+    """Across a sextactic point members cross more than once: the linear form's is not the best."""
+    jet, a, b = jet_of("cos(t) + cos(2*t)/20, sin(t)"), -0.8, 1.4
+    on, room = arc(jet, a, b), workspace(LEAST)
+    pen = pencils.pencil(on.start, on.end, NOISE)
+    found, q = careful(LEAST, jet, a, b)
+    for part in np.linspace(0.97, 1.03, 61):
+        assert area_scan.measure(pen, q * part, on.source, a, b, room) >= found * (1 - 1e-9)
+
+
 @pytest.mark.parametrize(("a", "b"), [(2.0, 2.2), (1.0, 2.0), (0.6, 2.2), (5.0, 5.5), (1.0, 3.2)])
 def test_areas_are_those_of_the_reference(a, b):
     with mp.workdps(25):
