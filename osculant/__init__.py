@@ -1,5 +1,8 @@
 """Curves approximated with the fewest pieces, provably, from their formula.
 
+The fewest among splines with knots at the split points whose pieces are tangent to the curve at both ends and
+each lie over a strictly convex arc, where `Spline.minimal` says so.
+
 >>> import osculant as osc
 >>> osc.__version__
 '0.1.0'

@@ -88,7 +88,9 @@ def approximate(
     curve and piece, and lie within the tolerance; a piece that ends neither at a split point nor at the end
     has its error in [ε(1−δ), ε], δ = max(1e-6, 32 ulp(largest coordinate)/ε).  The errors are
     estimates, not certificates.  They are Hausdorff distances while smaller than the curve's radii of
-    curvature; beyond, upper bounds of them.
+    curvature; beyond, upper bounds of them.  ``minimal`` says whether the number is the least among splines
+    with knots at the split points whose pieces are tangent to the curve at both ends and each lie over a
+    strictly convex arc; "by theory" means that a theorem's hypotheses are proved for its very arcs.
 
     Raises DomainError where the curve is undefined, for a closed curve that is open, for fewer pieces than
     the curve takes or a choice that does not exist; ToleranceError for a tolerance that is not a positive

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from osculant.pieces.piece import Box, Floats, PieceLike
 
 
-#: whether a number of pieces is the least
+#: whether a number of pieces is the least among splines with knots at the split points whose pieces are
+#: tangent to the curve at both ends and each lie over a strictly convex arc
 Minimal: TypeAlias = Literal["proved", "by theory", "unknown"]
 
 

@@ -197,6 +197,9 @@ def approximate(
 ) -> None:
     """Approximate a curve by the spline with the fewest pieces within a tolerance, or the best of N pieces.
 
+    Minimal is said among splines with knots at the split points whose pieces are tangent to the curve at
+    both ends and each lie over a strictly convex arc.
+
     Such as: osculant approximate "t*cos(t), t*sin(t)" --from pi/6 --to 2*pi --metric area --pieces 9
     """
     low, high = both_ends(low, high)
