@@ -13,12 +13,14 @@ if TYPE_CHECKING:
 
 #: seconds that it may take
 LONG = 3.0
+#: seconds after which it is stopped again, should the first time be lost in a callback
+AGAIN = 0.5
 #: with more pieces it is not asked how many there are without the knots
 MOST = 2000
 
 
-class _TooLongError(Exception):
-    """The search without knots is given up."""
+class _TooLongError(BaseException):
+    """The search without knots is given up; as an interrupt, nothing on the way catches it."""
 
 
 def pieces_unsplit(curve: Any, spline: Spline, seconds: float = LONG, **wanted: Any) -> int | None:
@@ -65,7 +67,7 @@ def _within(seconds: float) -> Iterator[None]:
         raise _TooLongError
 
     before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
     try:
         yield
     finally:
