@@ -5,7 +5,7 @@ function is translated for the types of its arguments, as numba compiles it, so 
 function for each fit; the operations in the C are those of the Python, in their order, and so are its
 results, bit for bit, if the compiler contracts nothing and libm is the same.
 
-`types` has the types, `scope` what one function knows, `expressions` and `statements` turn its syntax tree
-into C, `calls` knows the functions of Python that kernels use, `program` puts all of them together, and
-`jets` prints the derivatives of formulas.
+`types` has the types and `scope` what one function knows; `values` is where expressions attach, `arithmetic`,
+`logic`, `subscripts` and `calls` translate them, `statements` what is made of them, and `program` puts all of
+it together.  `jets` prints the derivatives of formulas.
 """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import builtins
 import math
 from collections.abc import Callable, Sequence
@@ -24,15 +25,16 @@ from osculant.codegen.c.types import (
     type_of,
     unify,
 )  # fmt: skip
+from osculant.codegen.c.values import built, convert, expression, known, part_of, plain, translates
 
-#: (scope, arguments, what makes constants expressions of C) → the value
-Translator = Callable[[Scope, Sequence[Value], Any], Value]
+#: (scope, arguments) → the value of a call
+Translator = Callable[[Scope, Sequence[Value]], Value]
 
 
 def _of_libm(name: str) -> Translator:
     """A function of doubles that libm has."""
 
-    def call(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+    def call(scope: Scope, arguments: Sequence[Value]) -> Value:
         if all(isinstance(value.type, Known) for value in arguments):
             values = [value.type.value for value in arguments]  # type: ignore[union-attr]
             return Value("", Known(getattr(math, name)(*values)))
@@ -45,7 +47,7 @@ def _of_libm(name: str) -> Translator:
 def _predicate(name: str) -> Translator:
     """Whether a double is one of a kind."""
 
-    def call(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+    def call(scope: Scope, arguments: Sequence[Value]) -> Value:
         return Value(f"(bool){name}({plain(scope, arguments[0]).text})", BOOLEAN, UNARY)
 
     return call
@@ -54,7 +56,7 @@ def _predicate(name: str) -> Translator:
 def _rounded(name: str) -> Translator:
     """To a whole number."""
 
-    def call(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+    def call(scope: Scope, arguments: Sequence[Value]) -> Value:
         value = plain(scope, arguments[0])
         text = f"{name}({value.text})" if name else value.within(UNARY)
         return value if value.type is INTEGER else Value(f"(int64_t){text}", INTEGER, UNARY)
@@ -62,14 +64,14 @@ def _rounded(name: str) -> Translator:
     return call
 
 
-def _float(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+def _float(scope: Scope, arguments: Sequence[Value]) -> Value:
     [value] = arguments
     if isinstance(value.type, Known):
         return Value("", Known(float(value.type.value)))
     return value if value.type is DOUBLE else Value(f"(double){value.within(UNARY)}", DOUBLE, UNARY)
 
 
-def _abs(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+def _abs(scope: Scope, arguments: Sequence[Value]) -> Value:
     value = plain(scope, arguments[0])
     return Value(f"{'fabs' if value.type is DOUBLE else 'llabs'}({value.text})", value.type)
 
@@ -77,7 +79,7 @@ def _abs(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
 def _extreme(name: str) -> Translator:
     """The least or the greatest, from the left: of two that are not ordered, the first."""
 
-    def call(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+    def call(scope: Scope, arguments: Sequence[Value]) -> Value:
         values = [plain(scope, value) for value in arguments]
         kind = values[0].type
         for value in values[1:]:
@@ -91,7 +93,7 @@ def _extreme(name: str) -> Translator:
     return call
 
 
-def _len(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+def _len(scope: Scope, arguments: Sequence[Value]) -> Value:
     kind = arguments[0].type
     if isinstance(kind, (Known, Struct)):
         return Value("", Known(len(kind.value if isinstance(kind, Known) else kind.fields)))
@@ -101,7 +103,7 @@ def _len(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
 def _room(zero: bool) -> Translator:
     """`np.empty`, `np.zeros`: room of a size that is known."""
 
-    def call(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+    def call(scope: Scope, arguments: Sequence[Value]) -> Value:
         shape = arguments[0].type
         if not isinstance(shape, Known):
             raise TranslationError("The size of an array is not known: C has no room for it.")
@@ -117,7 +119,7 @@ def _room(zero: bool) -> Translator:
     return call
 
 
-def _jet(scope: Scope, arguments: Sequence[Value], plain: Any) -> Value:
+def _jet(scope: Scope, arguments: Sequence[Value]) -> Value:
     jet, t, out = (plain(scope, value).text for value in arguments)
     return Value(f"{jet}->evaluate({t}, {jet}->parameters, {out}.p)", NOTHING)
 
@@ -130,7 +132,7 @@ def reshaped(scope: Scope, whole: Value, shape: Value) -> Value:
     return Value(f"(table){{{whole.text}.p, {shape.text}.at[0], {shape.text}.at[1]}}", TABLE)
 
 
-def of_kernel(scope: Scope, function: Any, arguments: Sequence[Value], convert: Any) -> Value:
+def of_kernel(scope: Scope, function: Any, arguments: Sequence[Value]) -> Value:
     """A call of a kernel, translated for the types of the arguments, with room for what it allocates."""
     kinds = [_passed(value.type) for value in arguments]
     callee = scope.translation.function(function, kinds)
@@ -173,3 +175,36 @@ KNOWN: dict[Any, Translator] = {
 #: what stands for numba's intrinsic: the call of a compiled jet
 JET = _jet
 KNOWN[JET] = _jet
+
+
+@translates(ast.Call)
+def _call(scope: Scope, node: ast.Call) -> Value:
+    arguments: list[Value] = []
+    if isinstance(node.func, ast.Attribute) and node.func.attr == "reshape":
+        return reshaped(scope, expression(scope, node.func.value), expression(scope, node.args[0]))
+    function = known(scope, node.func)
+    for part in node.args:
+        if not isinstance(part, ast.Starred):
+            arguments.append(expression(scope, part))
+            continue
+        whole = expression(scope, part.value)
+        if isinstance(whole.type, Known):
+            arguments += [Value("", Known(value)) for value in whole.type.value]
+            continue
+        whole = whole if whole.text.isidentifier() else scope.temporary(whole)
+        assert isinstance(whole.type, Struct)
+        arguments += [part_of(scope, whole, i) for i in range(len(whole.type.fields))]
+    return called(scope, function, arguments)
+
+
+def called(scope: Scope, function: Any, arguments: list[Value]) -> Value:
+    """The value of a call: of an operation, a function of Python, a tuple's class or a kernel."""
+    function = scope.translation.chosen(function, arguments)
+    if not callable(function):
+        return Value("", Known(function))
+    if function in KNOWN:
+        return KNOWN[function](scope, arguments)
+    if isinstance(function, type):  # a NamedTuple
+        values = [plain(scope, value) for value in arguments]
+        return built(scope, Struct(tuple(value.type for value in values), function), values)
+    return of_kernel(scope, function, arguments)

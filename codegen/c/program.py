@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import inspect
+import re
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from osculant.codegen.c import calls, statements
+from osculant.codegen.c import arithmetic, calls, logic, statements, subscripts
 from osculant.codegen.c.scope import FRAME, Scope, Value, assignments, c_name
 from osculant.codegen.c.types import (
     DOUBLE,
@@ -27,7 +28,9 @@ from osculant.codegen.c.types import (
 )  # fmt: skip
 
 #: functions with no loops and at most so many lines are copied into their callers
-SHORT = 14
+SHORT = 24
+#: what translates expressions: each enters its translators into `values` when it is imported
+TRANSLATORS = (arithmetic, calls, logic, subscripts)
 #: rounds in which a function's types are found
 ROUNDS = 8
 
@@ -201,8 +204,12 @@ class Translation:
         locals_: dict[str, list[str]] = {}
         for name, kind in scope.types.items():
             if name not in names and name != "_":
-                locals_.setdefault(self.c_type(kind), []).append(c_name(name))
+                start = " = 0" if name in scope.conditional and isinstance(kind, Scalar) else ""
+                locals_.setdefault(self.c_type(kind), []).append(c_name(name) + start)
         lines = [f"    {_declared(c, ', '.join(found))};" for c, found in locals_.items()]
+        used = set(re.findall(r"\w+", " ".join(scope.lines)))
+        unused = [name for name, kind in zip(names, made.parameters) if not isinstance(kind, Known)]
+        lines += [f"    (void){c_name(name)};" for name in unused if c_name(name) not in used]
         lines += [line.replace(FRAME, str(scope.frame)) for line in scope.lines]
         summary = (ast.get_docstring(node) or "").split("\n")[0]
         head = f"/* {function.__module__}.{function.__name__}: {summary} */\n"

@@ -42,6 +42,7 @@ class Scope:
         types: of parameters and variables, as wide as they were found to be.
         aliases: variables that stand for something known.
         result: the type that it returns, None as long as no return was seen.
+        conditional: variables that are first assigned to in a block.
         lines: of C.
         depth: of indentation.
         serial: number of the last temporary.
@@ -57,6 +58,7 @@ class Scope:
     parameters: frozenset[str]
     aliases: dict[str, Known] = field(default_factory=dict)
     result: Type | None = None
+    conditional: set[str] = field(default_factory=set)
     lines: list[str] = field(default_factory=list)
     depth: int = 1
     serial: int = 0

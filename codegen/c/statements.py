@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Sequence
 
-from osculant.codegen.c.expressions import convert, expression, known, literal, part_of, plain
 from osculant.codegen.c.scope import Scope, Value, c_name
 from osculant.codegen.c.types import (
     DOUBLE,
@@ -18,6 +17,7 @@ from osculant.codegen.c.types import (
     is_scalar,
     unify,
 )  # fmt: skip
+from osculant.codegen.c.values import convert, expression, known, literal, part_of, plain
 
 
 def body(scope: Scope, nodes: Sequence[ast.stmt]) -> bool:
@@ -208,5 +208,7 @@ def _store_name(scope: Scope, name: str, value: Value) -> None:
         scope.aliases[name] = value.type
         return
     value = plain(scope, value)
+    if name not in scope.types and scope.depth > 1:
+        scope.conditional.add(name)
     scope.variable(name, value.type)
     scope.emit(f"{c_name(name)} = {convert(scope, value, scope.types[name]).text};")

@@ -17,8 +17,9 @@ from osculant.kernels.course import LENGTH, TIME, lay_out
 from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import dimension, place_in
-from osculant.kernels.standalone.divide import JET, Jets, measured
+from osculant.kernels.standalone.divide import measured
 from osculant.kernels.standalone.free import SIZE
+from osculant.kernels.standalone.special import JET, Jets
 from osculant.kernels.standalone.stretches import DONE, TOO_MUCH, UNDEFINED, WRONG
 
 #: panels at first, rows of the course at most, and samples for each
@@ -28,6 +29,8 @@ WAY, POINT = 1, 2
 COLUMNS = 8
 #: Newton steps to one foot, their size that ends them, and by how much lengths may be wrong
 STEPS, SETTLED, LONGER = 60, 1e-15, 1.1
+#: squares that differ by less than this factor are equal to rounding
+FLAT = 1.0 + 2.0**-44
 
 
 class Foot(NamedTuple):
@@ -77,7 +80,8 @@ def followed(fit: Any, jets: Jets, p: np.ndarray[Any, Any], low: float, high: fl
         if abs(t - before) <= SETTLED * width:
             break
     square, _, _ = see(fit, jets, p, t)
-    return (square, t) if square <= least else (least, place)
+    # near the foot squares are flat: where the slope is 0 is the better known
+    return (square, t) if square <= FLAT * least else (least, place)
 
 
 @kernel
@@ -125,7 +129,7 @@ def nearest(
             way = LONGER * (samples[i, WAY] - samples[i - 1, WAY])
             if math.sqrt(min(square, square_before)) - way <= math.sqrt(least):
                 found, t = followed(fit, jets, p, samples[i - 1, 0], samples[i, 0])
-                if found < least:
+                if found <= FLAT * least:
                     least, place = found, t
         square_before, slope_before = square, slope
     return least, place

@@ -1,14 +1,9 @@
-"""The size and the stretches of a curve that is known only when it is to be approximated, in doubles.
-
-Special points are sought as sign changes of the forms that `osculant.cas.zeros` isolates, on a grid that is
-refined where a form comes near to 0.  Nothing is proved here: two zeros closer to each other than the finest
-grid are missed, and so are zeros without a change of sign.  Cusps are where the tangent turns back.
-"""
+"""The size and the stretches of a curve that is known only when it is to be approximated, in doubles."""
 
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -16,202 +11,19 @@ from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.generated import forms
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import NOISE, ORIGIN, SCALE, dimension
+from osculant.kernels.standalone.special import NO_FORM, Jets, add_cusps, add_zeros, insert
 from osculant.kernels.standalone.stretches import DONE, FRAMES, SIDE, START, STOP, TOO_MUCH, UNDEFINED, WRONG
 
 #: samples that tell the size of a curve, as in `osculant.curves.extent`
 SAMPLES = 257
 #: rounding units of the largest coordinate that positions may be wrong by
 NOISE_ULPS = 4
-#: panels of the grid, how often one is halved, and a form that falls below this part of its ends' in the
-#: middle may have zeros
-PANELS, DEPTH, NEAR = 128, 12, 0.5
-#: special points at most; those closer to each other, or to an end, than this part of the interval are one
-POINTS, TOGETHER = 250, 1e-9
-#: steps to one zero
-STEPS = 200
-#: forms that are smaller than this part of their terms are rounding
-ROUNDING = 2.0**-44
-#: the forms by number, and derivatives of the longest jets
-NO_FORM, INFLECTION, PARABOLIC, SEXTACTIC, VERTEX, SPACE_VERTEX = 0, 1, 2, 3, 4, 5
-JET = 18
+#: special points at most
+POINTS = 250
 #: a speed below this part of the curve's size over its interval is that of a cusp
 SLOW = 1e-9
 #: where the side to which a stretch bends is read off, in parts of it
 INSIDE = 0.4871
-
-
-class Jets(NamedTuple):
-    """What samples the curve: the jet that kernels take, a longer one for the forms, its order, and room."""
-
-    address: int
-    longer: int
-    order: int
-    jet: np.ndarray[Any, Any]
-
-
-@kernel
-def length(jet: np.ndarray[Any, Any], coordinates: int, k: int, order: int) -> float:
-    """The length of a derivative in a jet with k numbers for each coordinate."""
-    total = 0.0
-    for i in range(coordinates):
-        total += jet[k * i + order] ** 2
-    return math.sqrt(total)
-
-
-@kernel
-def form_at(jets: Jets, form: int, t: float) -> tuple[float, float]:
-    """(value, size of the terms) of a form at t."""
-    jet, k = jets.jet, jets.order + 1
-    call_jet(jets.longer, t, jet)
-    if form == SPACE_VERTEX:
-        m = 2 * k
-        value = forms.space_vertex(
-            jet[1], jet[2], jet[3], jet[k + 1], jet[k + 2], jet[k + 3], jet[m + 1], jet[m + 2], jet[m + 3]
-        )
-        size = forms.space_vertex_size(length(jet, 3, k, 1), length(jet, 3, k, 2), length(jet, 3, k, 3))
-        return value, size
-    x1, x2, y1, y2 = jet[1], jet[2], jet[k + 1], jet[k + 2]
-    n1, n2 = length(jet, 2, k, 1), length(jet, 2, k, 2)
-    if form == INFLECTION:
-        return forms.inflection(x1, x2, y1, y2), forms.inflection_size(n1, n2)
-    x3, y3, n3 = jet[3], jet[k + 3], length(jet, 2, k, 3)
-    if form == VERTEX:
-        return forms.vertex(x1, x2, x3, y1, y2, y3), forms.vertex_size(n1, n2, n3)
-    x4, y4, n4 = jet[4], jet[k + 4], length(jet, 2, k, 4)
-    if form == PARABOLIC:
-        return forms.parabolic(x1, x2, x3, x4, y1, y2, y3, y4), forms.parabolic_size(n1, n2, n3, n4)
-    x5, y5, n5 = jet[5], jet[k + 5], length(jet, 2, k, 5)
-    return forms.sextactic(x1, x2, x3, x4, x5, y1, y2, y3, y4, y5), forms.sextactic_size(n1, n2, n3, n4, n5)
-
-
-@kernel
-def told(jets: Jets, form: int, t: float) -> float:
-    """The value of a form at t; 0 where rounding may have made it."""
-    value, size = form_at(jets, form, t)
-    return 0.0 if abs(value) <= ROUNDING * size else value
-
-
-@kernel
-def zero_between(jets: Jets, form: int, low: float, high: float, at_low: float) -> float:
-    """The sign change of a form between two places where its signs differ, by bisection to the last bit."""
-    for _ in range(STEPS):
-        middle = 0.5 * (low + high)
-        if not (middle > low and middle < high):
-            break
-        value, _ = form_at(jets, form, middle)
-        if value == 0.0:
-            return middle
-        if (value > 0.0) == (at_low > 0.0):
-            low = middle
-        else:
-            high = middle
-    return 0.5 * (low + high)
-
-
-@kernel
-def insert(points: np.ndarray[Any, Any], count: int, t: float, low: float, high: float) -> int:
-    """Put a parameter where it belongs among the first increasing ``points``; the new number, −1 if too many.
-
-    Ends of the interval, and what is known, are left out.
-    """
-    near = TOGETHER * (high - low)
-    if t - low <= near or high - t <= near:
-        return count
-    place = count
-    while place > 0 and points[place - 1] > t:
-        place -= 1
-    if place > 0 and t - points[place - 1] <= near:
-        return count
-    if place < count and points[place] - t <= near:
-        return count
-    if count == points.shape[0]:
-        return -1
-    for i in range(count, place, -1):
-        points[i] = points[i - 1]
-    points[place] = t
-    return count + 1
-
-
-@kernel
-def add_zeros(
-    jets: Jets, form: int, low: float, high: float, points: np.ndarray[Any, Any], count: int
-) -> int:
-    """Add the zeros of a form to the points; their new number, −1 if there are too many."""
-    pending = np.empty((DEPTH + 2, 3))
-    before, at_before = low, told(jets, form, low)
-    for i in range(1, PANELS + 1):
-        end = high if i == PANELS else low + (high - low) * i / PANELS
-        pending[0, 0], pending[0, 1], pending[0, 2] = end, told(jets, form, end), 0.0
-        open_ends = 1
-        while open_ends > 0:
-            t, value, depth = pending[open_ends - 1, 0], pending[open_ends - 1, 1], pending[open_ends - 1, 2]
-            middle = 0.5 * (before + t)
-            at_middle = told(jets, form, middle)
-            changes = at_before * value < 0.0
-            dips = not changes and abs(at_middle) < NEAR * min(abs(at_before), abs(value))
-            hidden = not changes and at_middle * value < 0.0
-            if (hidden or dips) and depth < DEPTH and open_ends <= DEPTH:
-                new = pending[open_ends]
-                new[0], new[1], new[2] = middle, at_middle, depth + 1.0
-                pending[open_ends - 1, 2] = depth + 1.0
-                open_ends += 1
-                continue
-            if changes:
-                count = insert(points, count, zero_between(jets, form, before, t, at_before), low, high)
-                if count < 0:
-                    return -1
-            if value != 0.0 or at_before == 0.0:  # a sign that is not told is left to the next place
-                before, at_before = t, value
-            open_ends -= 1
-    return count
-
-
-@kernel
-def along(fit: Any, jets: Jets, t: float, velocity: np.ndarray[Any, Any]) -> float:
-    """Write α̇ at t into ``velocity``; returns its length."""
-    k = dimension(fit) + 1
-    call_jet(jets.address, t, jets.jet)
-    square = 0.0
-    for i in range(dimension(fit)):
-        velocity[i] = jets.jet[k * i + 1]
-        square += velocity[i] * velocity[i]
-    return math.sqrt(square)
-
-
-@kernel
-def turns_back(fit: Any, first: np.ndarray[Any, Any], last: np.ndarray[Any, Any]) -> bool:
-    """Whether two velocities point to opposite sides."""
-    total = 0.0
-    for i in range(dimension(fit)):
-        total += first[i] * last[i]
-    return total < 0.0
-
-
-@kernel
-def add_cusps(fit: Any, jets: Jets, low: float, high: float, points: np.ndarray[Any, Any], count: int) -> int:
-    """Add the places where the tangent turns back all at once; their new number, −1 if there are too many."""
-    first, last, middle = np.empty(3), np.empty(3), np.empty(3)
-    for i in range(1, PANELS + 1):
-        a, b = low + (high - low) * (i - 1) / PANELS, low + (high - low) * i / PANELS
-        along(fit, jets, a, first)
-        along(fit, jets, b, last)
-        for _ in range(STEPS):
-            t = 0.5 * (a + b)
-            if not turns_back(fit, first, last) or not (t > a and t < b):
-                break
-            along(fit, jets, t, middle)
-            before = turns_back(fit, first, middle)
-            for j in range(dimension(fit)):
-                if before:
-                    last[j] = middle[j]
-                else:
-                    first[j] = middle[j]
-            a, b = (a, t) if before else (t, b)
-        if turns_back(fit, first, last):
-            count = insert(points, count, 0.5 * (a + b), low, high)
-            if count < 0:
-                return -1
-    return count
 
 
 @kernel

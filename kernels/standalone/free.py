@@ -9,7 +9,8 @@ import numpy as np
 
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import SCALE, dimension
-from osculant.kernels.standalone.divide import JET, POINTS, Jets, divided, measured
+from osculant.kernels.standalone.divide import POINTS, divided, measured
+from osculant.kernels.standalone.special import JET, Jets
 from osculant.kernels.standalone.stretches import (
     DONE,
     FRAMES,
@@ -39,7 +40,7 @@ def approximate(
         address: of the jet that kernels take.
         longer: that for the forms, of so many derivatives:
         order: their number.
-        form: whose zeros split the curve (`divide.NO_FORM` …),
+        form: whose zeros split the curve (`special.NO_FORM` …),
         other: and another.
         low: one end of the interval,
         high: and the other.

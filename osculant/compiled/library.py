@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from osculant.compiled.subject import Subject
     from osculant.primitives.primitive import Fit
 
-#: the forms that split curves at run time: numbers of `osculant.kernels.standalone.divide`, by dimension
+#: the forms that split curves at run time: numbers of `osculant.kernels.standalone.special`, by dimension
 FORMS = {2: {"inflection": 1, "parabolic": 2, "sextactic": 3, "vertex": 4}, 3: {"vertex": 5}}
 #: derivatives that the forms take
 LONGEST = {0: 0, 1: 2, 2: 4, 3: 5, 4: 3, 5: 3}
