@@ -22,37 +22,6 @@ ORDER, BITS, FIRST = 8, 64, 16
 NARROWEST, WORK_LIMIT = 2.0**-44, 20_000
 
 
-def part_levels(
-    curve: FormulaBalls[Any], low: float, high: float, accuracy: float
-) -> list[tuple[float, float]]:
-    """The edges of `polynomial_parts` for all accuracies down to one: (edge, accuracy below which it is one).
-
-    >>> from osculant.cas.formulas.parser import parse_tuple
-    >>> from osculant.cas.jets.balls import CurveBalls
-    >>> curve = CurveBalls(parse_tuple("t, exp(t)"))
-    >>> levels = part_levels(curve, 0.0, 8.0, 1e-12)
-    >>> [edge for edge, level in levels if level > 1e-9] == polynomial_parts(curve, 0.0, 8.0, 1e-9)
-    True
-    """
-    edges = {low + (high - low) * i / FIRST: math.inf for i in range(FIRST)} | {high: math.inf}
-    least = NARROWEST * (high - low)
-    pending = deque((a, b, math.inf) for a, b in pairwise(sorted(edges)))
-    with precision(BITS):
-        for _ in range(WORK_LIMIT):
-            if not pending:
-                break
-            a, b, level = pending.popleft()
-            middle, half = 0.5 * (a + b), 0.5 * (b - a)
-            if half < least or not a < middle < b:
-                continue
-            level = min(level, remainder(curve, middle, half))
-            if level <= accuracy:
-                continue
-            edges[middle] = level
-            pending += [(a, middle, level), (middle, b, level)]
-    return sorted(edges.items())
-
-
 def polynomial_parts(curve: FormulaBalls[Any], low: float, high: float, accuracy: float) -> list[float]:
     """The edges of parts of [low, high] on which the curve is a polynomial of degree `ORDER` − 1.
 
@@ -74,7 +43,20 @@ def polynomial_parts(curve: FormulaBalls[Any], low: float, high: float, accuracy
     >>> narrowest[0] < 1e-5, abs(narrowest[1] - 1 / 3) < 1e-4, len(edges) < 200
     (True, True, True)
     """
-    return [edge for edge, _ in part_levels(curve, low, high, accuracy)]
+    edges = {low + (high - low) * i / FIRST for i in range(FIRST)} | {high}
+    least = NARROWEST * (high - low)
+    pending = deque(pairwise(sorted(edges)))
+    with precision(BITS):
+        for _ in range(WORK_LIMIT):
+            if not pending:
+                break
+            a, b = pending.popleft()
+            middle, half = 0.5 * (a + b), 0.5 * (b - a)
+            if half < least or not a < middle < b or remainder(curve, middle, half) <= accuracy:
+                continue
+            edges.add(middle)
+            pending += [(a, middle), (middle, b)]
+    return sorted(edges)
 
 
 def remainder(curve: FormulaBalls[Any], middle: float, half: float) -> float:

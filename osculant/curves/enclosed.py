@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 import sys
+from collections import deque
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -64,6 +66,32 @@ class Enclosed:
         begun = [low + (high - low) * i / FIRST for i in range(FIRST)] + [high]
         edges, _ = self._halved(begun, accuracy, NARROWEST * (high - low), WORK_LIMIT)
         return sorted([*begun, *edges])
+
+    def levels(self, low: float, high: float, accuracy: float) -> list[tuple[float, float]]:
+        """(edge, accuracy below which it is one) of `parts` for all accuracies down to one.
+
+        >>> from osculant.cas.formulas.parser import parse_tuple
+        >>> from osculant.cas.jets.balls import CurveBalls
+        >>> curve = Enclosed(CurveBalls(parse_tuple("t, exp(t)")))
+        >>> found = curve.levels(0.0, 8.0, 1e-12)
+        >>> [edge for edge, level in found if level > 1e-9] == curve.parts(0.0, 8.0, 1e-9)
+        True
+        """
+        from osculant.kernels.enclosures.parts import last_terms
+
+        begun = [low + (high - low) * i / FIRST for i in range(FIRST)] + [high]
+        found, least = dict.fromkeys(begun, math.inf), NARROWEST * (high - low)
+        pending = deque((a, b, math.inf) for a, b in pairwise(begun))
+        for _ in range(WORK_LIMIT):
+            if not pending:
+                break
+            a, b, level = pending.popleft()
+            middle, half = 0.5 * (a + b), 0.5 * (b - a)
+            level = min(level, last_terms(*self._program, middle, half, self._values))
+            if level > accuracy and half >= least and a < middle < b:
+                found[middle] = level
+                pending += [(a, middle, level), (middle, b, level)]
+        return sorted(found.items())
 
     def _halved(
         self, edges: list[float], accuracy: float, least: float, most: int
