@@ -156,6 +156,10 @@ class Translation:
     def function(self, function: Any, kinds: Sequence[Type]) -> Function:
         """The kernel translated for arguments of these types."""
         function = getattr(function, "__wrapped__", function)
+        if not inspect.isfunction(function):
+            raise TranslationError(
+                f"The function {getattr(function, '__name__', function)} is not translated."
+            )
         key = (function, *(kind.value if isinstance(kind, Known) else kind for kind in kinds))
         if key not in self._functions:
             self._functions[key] = self._translated(function, kinds)
