@@ -60,8 +60,9 @@ def explaining(name: str) -> str:
 
 
 def _statuses(upper: str) -> str:
-    return ",\n    ".join(
-        f"{upper}_{status} = {number} /* {sentence} */"
+    last = len(STATUSES) - 1
+    return "\n    ".join(
+        f"{upper}_{status} = {number}{',' if number < last else ''} /* {sentence} */"
         for number, (status, sentence) in enumerate(STATUSES.items())
     )
 
@@ -69,7 +70,7 @@ def _statuses(upper: str) -> str:
 def _described(piece: Any) -> str:
     """The docstring of a piece's class, as lines of a comment."""
     paragraphs = re.split(r"\n\s*\n", (piece.__doc__ or "").strip())
-    told = [wrapped(paragraph, first=" * ") for paragraph in paragraphs]
+    told = [wrapped(paragraph.replace("``", ""), first=" * ") for paragraph in paragraphs]
     if "error" in piece._fields:
         told.append(
             wrapped("The error is a distance, or the area between the piece and its arc.", first=" * ")

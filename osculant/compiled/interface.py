@@ -18,6 +18,8 @@ STATUSES = {
     "BAD_ARGUMENT": "An argument makes no sense: a tolerance, an interval or special points.",
     "TOO_FEW": "Fewer pieces are asked for than there must be: count says how many that are.",
 }
+#: stands for a blank at which no line ends
+GLUE = "\0"
 
 
 @dataclass(frozen=True)
@@ -81,8 +83,8 @@ def wrapped(text: str, width: int = 100, first: str = "", then: str = " * ") -> 
 
 def signature(name: str, arguments: Sequence[Argument]) -> str:
     """``int name(arguments)``."""
-    inside = ", ".join(argument.declaration for argument in arguments) or "void"
-    return wrapped(f"int {name}({inside})", then="    ")
+    inside = ", ".join(argument.declaration.replace(" ", GLUE) for argument in arguments) or "void"
+    return wrapped(f"int {name}({inside})", then="    ").replace(GLUE, " ")
 
 
 def comment(purpose: str, arguments: Sequence[Argument]) -> str:

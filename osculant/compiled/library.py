@@ -104,7 +104,7 @@ class Approximator:
             (
                 f"{name}_for_pieces",
                 f"At most so many {self.fit.primitive.plural}, their largest error about the least.",
-                [*before, Argument("size_t number", "of pieces"), *after, *array],
+                [*before, Argument("size_t number", "how many pieces there may be"), *after, *array],
             ),
         ]
 
