@@ -67,6 +67,9 @@ def build(
     made = not target.exists()
     try:
         target.mkdir(exist_ok=True)
+        for file in (*texts, library):
+            if (target / file).is_dir():
+                raise IsADirectoryError(0, f"{file} is a folder there")
         with tempfile.TemporaryDirectory(prefix=f".{name}-", dir=target) as temporary:
             for file, text in texts.items():
                 (Path(temporary) / file).write_text(text, encoding="utf-8")

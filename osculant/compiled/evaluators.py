@@ -81,7 +81,9 @@ class Evaluator:
         """(name, purpose, arguments) of the function that is called."""
         name, dimension = self.subject.name, self.subject.dimension
         of_interval = self.what == "distance"
-        which = [a for a in given(self.subject, False) if of_interval or a.name not in ("low", "high")]
+        which = [
+            a for a in given(self.subject, False, self.order) if of_interval or a.name not in ("low", "high")
+        ]
         if of_interval:
             array = Argument(
                 "const double *points", f"{dimension} coordinates of each point, one after the other"

@@ -35,19 +35,20 @@ class Argument:
         return self.declaration.replace("*", " ").split("[")[0].split()[-1].split(")")[0]
 
 
-def given(subject: Subject, splits: bool = True) -> list[Argument]:
+def given(subject: Subject, splits: bool = True, order: int | None = None) -> list[Argument]:
     """The arguments that say which curve it is: nothing of a fixed one.
 
     Args:
         subject: the curve.
         splits: whether special points may be given.
+        order: of a jet of the caller's own; as many as coordinates if None.
     """
     found = []
     if subject.coordinates is None:
         found.append(
             Argument(
                 f"{subject.name}_jet evaluate",
-                f"writes the derivatives 0 ... {subject.dimension} of each coordinate into out",
+                f"writes the derivatives 0 ... {order or subject.dimension} of each coordinate into out",
             )
         )
     if subject.ends is None:

@@ -69,6 +69,38 @@ def test_every_primitive_is_called_from_c_and_cpp(tmp_path, dimension, primitive
 
 
 @needs_cc
+@pytest.mark.parametrize("jet", [0, 2, 3])
+@pytest.mark.parametrize("what", ["pieces", "invariants", "distance"])
+def test_examples_with_all_that_can_be_free(tmp_path, jet, what):
+    formula, parameters = (None, ()) if jet else ("a*t, exp(t)", "a")
+    common = {"jet": jet, "parameters": parameters, "folder": tmp_path, "name": "free", "language": "c"}
+    if what == "pieces":
+        osc.compile_approximator(formula, **common)
+    else:
+        osc.compile_evaluator(formula, what, **common)
+    compiled(tmp_path, "cc", *STRICT, "free_example.c", "free.c", "-lm", "-o", "example")
+    rows = [list(map(float, line.split())) for line in run(tmp_path, "./example").splitlines()]
+    assert rows and np.isfinite(rows).all()
+
+
+@needs_cxx
+@needs_cc
+def test_cpp_evaluates_vectors(tmp_path):
+    formula = "cos(t), sin(t)"
+    osc.compile_evaluator(formula, "invariants", folder=tmp_path, name="bends", language="c")
+    osc.compile_evaluator(formula, "distance", 0, "pi", folder=tmp_path, name="feet", language="c")
+    (tmp_path / "main.cpp").write_text(
+        '#include "bends.hpp"\n#include "feet.hpp"\n#include <cstdio>\nint main() {\n'
+        '    std::printf("%.17g\\n", bends::invariants({0.5, 1.5}).at(1).curvature);\n'
+        '    std::printf("%.17g\\n", feet::distance({0.0, 3.0, 0.0, 0.5}).at(1).distance);\n'
+        "    return 0;\n}\n"
+    )
+    libraries = ["libbends.so", "libfeet.so", "-Wl,-rpath,."]
+    compiled(tmp_path, "c++", "-std=c++17", *STRICT, "main.cpp", *libraries, "-o", "main")
+    assert [float(line) for line in run(tmp_path, "./main").split()] == pytest.approx([1.0, 0.5])
+
+
+@needs_cc
 def test_the_module_needs_numpy_alone(tmp_path):
     osc.compile_approximator(SPIRAL[0], "biarc", *SPIRAL[1:], folder=tmp_path, name="spiral")
     script = (
@@ -197,5 +229,9 @@ def test_no_compiler_and_no_folder(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
     with pytest.raises(OsculantError, match="Cannot write to the folder"):
         osc.compile_approximator("t, exp(t)", "conic", 0, 1, folder=tmp_path / "file")
+    (tmp_path / "full" / "curve.h").mkdir(parents=True)
+    with pytest.raises(OsculantError, match=r"curve\.h is a folder"):
+        osc.compile_approximator("t, exp(t)", "conic", 0, 1, folder=tmp_path / "full")
+    assert [path.name for path in (tmp_path / "full").iterdir()] == ["curve.h"]
     with pytest.raises(OsculantError, match="No such file"):
         osc.compile_approximator("t, exp(t)", "conic", 0, 1, folder=tmp_path / "no" / "such")
