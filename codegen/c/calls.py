@@ -24,7 +24,7 @@ from osculant.codegen.c.types import (
     has_arrays,
     type_of,
     unify,
-)  # fmt: skip
+)
 from osculant.codegen.c.values import built, convert, expression, known, part_of, plain, translates
 
 #: (scope, arguments) → the value of a call

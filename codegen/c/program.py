@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from osculant.codegen.c import arithmetic, calls, logic, statements, subscripts
-from osculant.codegen.c.scope import FRAME, Scope, Value, assignments, c_name
+from osculant.codegen.c.scope import FRAME, Scope, Value, assignments
 from osculant.codegen.c.types import (
     DOUBLE,
     INTEGER,
@@ -24,8 +24,8 @@ from osculant.codegen.c.types import (
     Struct,
     TranslationError,
     Type,
-    unify,
-)  # fmt: skip
+    c_name,
+)
 
 #: functions with no loops and at most so many lines are copied into their callers
 SHORT = 24
@@ -52,6 +52,7 @@ static inline int64_t quotient(int64_t a, int64_t b) { return a / b - (a % b != 
 static inline int64_t remainder_of(int64_t a, int64_t b) { return a - quotient(a, b) * b; }
 static inline double whole_power(double a, int64_t n) {
     double power = 1.0;
+    if (n < 0) return 1.0 / whole_power(a, -n);
     for (; n != 0; n >>= 1, a *= a) if (n & 1) power *= a;
     return power;
 }
@@ -70,18 +71,23 @@ class Function:
 
 
 class Translation:
-    """A growing C file.
+    r"""A growing C file.
 
     Args:
         operations: of each record what it does, by the operation's name (`osculant.kernels.operations`).
         stubs: the operations by name.
 
-    >>> def half(x: float) -> float:
-    ...     '''Half of it.'''
-    ...     return 0.5 * x
+    >>> from osculant.codegen.c.types import BOOLEAN
+    >>> from osculant.kernels.bracket import safeguarded
     >>> translation = Translation({}, {})
-    >>> translation.function(half, [DOUBLE]).name  # doctest: +SKIP
-    'half'
+    >>> translation.function(safeguarded, [DOUBLE, DOUBLE, BOOLEAN, DOUBLE, DOUBLE]).name
+    'bracket_safeguarded'
+    >>> print(*translation.text().splitlines()[-5:], sep="\n")
+        if (!(new >= low && new <= high)) {
+            new = 0.5 * (low + high);
+        }
+        return (tuple_of_3_doubles){{new, low, high}};
+    }
     """
 
     def __init__(
@@ -242,6 +248,3 @@ def _braces(array: Any, kind: Type) -> str:
     if array.ndim == 0:
         return str(int(array)) if kind is INTEGER else repr(float(array))
     return "{" + ", ".join(_braces(part, kind) for part in array) + "}"
-
-
-__all__ = ["Function", "Translation", "unify"]

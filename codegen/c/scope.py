@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from osculant.codegen.c.types import INTEGER, Known, Type, c_name, unify
+from osculant.codegen.c.types import Known, Type, unify
 
 if TYPE_CHECKING:
     from osculant.codegen.c.program import Translation
@@ -40,14 +40,15 @@ class Scope:
         names: the function's globals and closure.
         assigned: how often each name is assigned to.
         types: of parameters and variables, as wide as they were found to be.
+        parameters: the names of all parameters.
         aliases: variables that stand for something known.
         result: the type that it returns, None as long as no return was seen.
         conditional: variables that are first assigned to in a block.
         lines: of C.
         depth: of indentation.
         serial: number of the last temporary.
-        frame: doubles of room for its own arrays, and what callees need beyond.
-        beyond: the most that any callee needs beyond that.
+        frame: doubles of room for its own arrays.
+        beyond: the most that a callee needs beyond that.
         allocates: whether it needs room at all.
     """
 
@@ -124,6 +125,3 @@ def assignments(function: ast.FunctionDef) -> dict[str, int]:
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             found[node.id] = found.get(node.id, 0) + 1
     return found
-
-
-__all__ = ["INTEGER", "Scope", "Value", "assignments", "c_name"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Sequence
 
-from osculant.codegen.c.scope import Scope, Value, c_name
+from osculant.codegen.c.scope import Scope, Value
 from osculant.codegen.c.types import (
     DOUBLE,
     INTEGER,
@@ -14,9 +14,10 @@ from osculant.codegen.c.types import (
     Struct,
     TranslationError,
     Type,
+    c_name,
     is_scalar,
     unify,
-)  # fmt: skip
+)
 from osculant.codegen.c.values import convert, expression, known, literal, part_of, plain
 
 

@@ -16,7 +16,7 @@ from osculant.codegen.c.types import (
     Known,
     Struct,
     TranslationError,
-)  # fmt: skip
+)
 from osculant.codegen.c.values import expression, known, part_of, plain, translates
 
 

@@ -19,7 +19,7 @@ from osculant.codegen.c.types import (
     Type,
     c_name,
     type_of,
-)  # fmt: skip
+)
 
 Translator = TypeVar("Translator", bound=Callable[[Scope, Any], Value])
 #: by the kind of a node of Python's syntax tree, what translates it

@@ -105,9 +105,11 @@ def compile_approximator(
 
     Of a curve with nothing free the special points are found now, and proved as `osculant.approximate` does;
     the greedy pieces are then those of osculant bit for bit, where libm is the same.  Else special points are
-    given by the caller, or found at run time by changes of sign, which proves nothing; of a jet of the
-    caller's only cusps are.  The ends of the interval are knots, also of closed curves, and no small arc is
-    passed over; where one greedy piece fewer might do, which `osculant.approximate` tries, there is not.
+    given by the caller, or found at run time by changes of sign, which proves nothing (of a jet of the
+    caller's, only cusps are found), and what a curve does on less than a 64th of its interval may be missed.
+
+    The ends of the interval are knots, also of closed curves; no small arc is passed over, curves that are
+    arcs of such pieces themselves are treated as others, and one greedy piece fewer is never tried for.
 
     Raises FormulaError and DomainError for a curve or a choice that makes no sense, OsculantError where
     there is no compiler or the folder cannot be written to; then nothing is written.
