@@ -51,11 +51,10 @@ def header(subject: Subject, title: str, functions: Functions, piece: Any) -> st
 
 def explaining(name: str) -> str:
     """The function of C that says what a status means."""
-    sentences = ",\n        ".join(f'"{sentence}"' for sentence in STATUSES.values())
+    cases = "\n".join(f'    case {i}: return "{sentence}";' for i, sentence in enumerate(STATUSES.values()))
     return (
-        f"const char *{name}_explain(int status)\n{{\n    static const char *const sentences[] = {{\n"
-        f"        {sentences}\n    }};\n    const int known = status >= 0 && status < {len(STATUSES)};\n"
-        f'    return known ? sentences[status] : "This is no status.";\n}}\n'
+        f"const char *{name}_explain(int status)\n{{\n    switch (status) {{\n{cases}\n"
+        '    default: return "This is no status.";\n    }\n}\n'
     )
 
 
