@@ -203,7 +203,8 @@ def test_a_cusp_at_an_irrational_place_is_a_knot():
 
 def test_undecided_points_are_knots_and_spoil_the_claim(monkeypatch):
     monkeypatch.setattr("osculant.cas.zeros.isolate.WORK_LIMIT", 20)
-    monkeypatch.setattr("osculant.curves.special.LIMIT", 20)
+    for limit in ("special.SOON", "special.LIMIT", "first_look.MOST"):
+        monkeypatch.setattr(f"osculant.curves.{limit}", 20)
     spline = osc.approximate(osc.curve("t, sin(t) + sin(3*t)/5", 0, 9), "conic", 1e-4)
     assert spline.undecided and set(spline.undecided) <= {0.0, 9.0, *spline.knots}
     assert spline.minimal == "unknown"
