@@ -349,7 +349,7 @@ def test_standard_output(capsys):
     assert (
         output.out.startswith("<?xml") and output.out.endswith("</svg>\n") and 'id="knots"' not in output.out
     )
-    assert rows_of(output.err)["written"].startswith("-.svg: error 0.00")
+    assert rows_of(output.err)["written"].startswith("standard output: error 0.00")
 
 
 def test_pairs_of_arcs_are_told_as_such(capsys):
