@@ -195,6 +195,15 @@ def _point(curve: FormulaCurve, t: Any) -> tuple[float, ...]:
 
 def _reach(curve: FormulaCurve, low: Any, high: Any, most: float) -> float:
     """A bound of the distances between points of the arc; infinite if ``most`` is none."""
+    return _reached(curve, (low.mid(), low.rad()), (high.mid(), high.rad()), most)
+
+
+@kept
+def _reached(curve: FormulaCurve, first: tuple[Any, Any], last: tuple[Any, Any], most: float) -> float:
+    """`_reach` by the middles and radii of the ends, which are asked for again wherever a search is stuck."""
+    from flint import arb
+
+    low, high = arb(*first), arb(*last)
     for count in BOXES:
         points = zip(*(_point(curve, low + (high - low) * i / count) for i in range(count + 1)))
         if math.hypot(*(max(side) - min(side) for side in points)) > most:

@@ -9,7 +9,7 @@ from typing import Any, TypeVar, cast
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 #: results of one function that a curve keeps, the last ones
-MOST = 32
+MOST = 128
 
 
 def kept(function: Function) -> Function:
