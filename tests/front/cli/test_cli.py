@@ -382,7 +382,8 @@ def test_no_bar_in_a_pipe(monkeypatch, capsys):
     assert capsys.readouterr().err == ""
 
 
-def test_the_notice_of_compiling_is_no_part_of_the_answer(capsys):
+def test_the_notice_of_compiling_is_no_part_of_the_answer(capsys, monkeypatch, tmp_path):
+    monkeypatch.setattr(jit, "folder_of", lambda family: tmp_path)  # nothing is compiled before
     printing.announce_compiling()
     jit.kernel(lambda x: x + 1.0)(1.0)
     output = capsys.readouterr()
