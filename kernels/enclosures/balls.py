@@ -195,8 +195,7 @@ def function(name: int, a: Ball) -> Ball:
     spread = r * _steepest(name, m, r) if r > 0.0 else 0.0
     if spread <= NARROW * abs(value):
         return rounded(value, spread, LIBRARY)
-    # of a wide ball the values at the ends tell more: the function is monotone
-    low, high = _value(name, (m - r) - UNIT * abs(m)), _value(name, (m + r) + UNIT * abs(m))
     if spread == math.inf and name not in (CBRT, EXP, SINH):
         return math.nan, math.inf
-    return _between(low, high)
+    # of a wide ball the values at the ends tell more: the function is monotone
+    return _between(_value(name, (m - r) - UNIT * abs(m)), _value(name, (m + r) + UNIT * abs(m)))

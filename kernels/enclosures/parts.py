@@ -40,18 +40,20 @@ def polynomial_parts(
 ) -> tuple[int, int]:  # fmt: skip
     """Halve the ``count`` parts that are pending until each is a polynomial to an accuracy, wide ones first.
 
-    Returns how many new ``edges`` were written, and how many parts are left as they are, written to ``left``
-    (capacity, 2) as far as they fit: those narrower than ``least``, and all after ``most`` visits.  Ever so
-    coarse an accuracy asks that Taylor coefficients are finite.  ``pending`` (capacity, 2) is for parts to
-    come.
+    Returns how many new ``edges`` were written, (capacity, 2): each with the accuracy below which it is one;
+    and how many parts are left as they are, written to ``left`` (capacity, 2) as far as they fit: those
+    narrower than ``least``, and all after ``most`` visits.  Ever so coarse an accuracy asks that Taylor
+    coefficients are finite.  ``pending`` (capacity, 3) is for parts to come, each with its parent's accuracy.
     """
     first, last, found, remaining = 0, count, 0, 0
     while first < last:
         part = pending[first % pending.shape[0]]
-        a, b = part[0], part[1]
+        a, b, level = part[0], part[1], part[2]
         first += 1
         middle, half = 0.5 * (a + b), 0.5 * (b - a)
-        if first <= most and last_terms(table, rows, middle, half, values) <= accuracy:
+        if first <= most:
+            level = min(level, last_terms(table, rows, middle, half, values))
+        if level <= accuracy:
             continue
         room = found < edges.shape[0] and last - first + 2 <= pending.shape[0]
         if first > most or half < least or not a < middle < b or not room:
@@ -59,10 +61,10 @@ def polynomial_parts(
                 left[remaining, 0], left[remaining, 1] = a, b
             remaining += 1
             continue
-        edges[found] = middle
+        edges[found, 0], edges[found, 1] = middle, level
         found += 1
         for one, other in ((a, middle), (middle, b)):
             part = pending[last % pending.shape[0]]
-            part[0], part[1] = one, other
+            part[0], part[1], part[2] = one, other, level
             last += 1
     return found, remaining

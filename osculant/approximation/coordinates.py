@@ -9,7 +9,7 @@ import numpy as np
 
 from osculant.approximation.division import Frame
 from osculant.approximation.runs import Floats, equal_parts
-from osculant.curves.enclosed import Enclosed
+from osculant.curves.enclosed import enclosed
 from osculant.curves.kept import kept
 from osculant.kernels.curves import plane, space
 
@@ -113,4 +113,4 @@ def parts(curve: FormulaCurve, resolution: float) -> Floats:
     >>> parts(PlaneCurve("t, t^2", 0, 1), 1e-3).size
     17
     """
-    return np.array(Enclosed(curve.balls).parts(*curve.interval, resolution))
+    return np.array(enclosed(curve.balls).parts(*curve.interval, resolution))

@@ -11,7 +11,7 @@ from osculant.approximation.coordinates import NOISE_ULPS
 from osculant.approximation.division import divide
 from osculant.approximation.fitting import OUTLINED, resolution
 from osculant.cas.errors import UndecidedError
-from osculant.curves.enclosed import Enclosed
+from osculant.curves.enclosed import enclosed
 from osculant.curves.extent import extent
 from osculant.tolerances import FLOOR_ULPS, WINDOW, WINDOW_ULPS
 
@@ -80,7 +80,7 @@ def numbers(curve: FormulaCurve, fit: Fit, split: str = "theory", split_at: Sequ
     kinds = {stretch.kind for stretch in division.stretches}
     order = fit.law("level").order if kinds == {"level"} else fit.order
     low, high = curve.interval
-    edges = Enclosed(curve.balls).levels(low, high, FLOOR_ULPS * rounding * features)
+    edges = enclosed(curve.balls).levels(low, high, FLOOR_ULPS * rounding * features)
     if len(edges) > MOST_EDGES:
         raise UndecidedError(
             f"The curve {curve.text} has features on {len(edges)} parts of its interval, and a library has "

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import sys
-from collections import deque
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from osculant.cas.numbers.parts import FIRST, NARROWEST, ORDER, WORK_LIMIT
+from osculant.curves.kept import kept
 
 if TYPE_CHECKING:
     from osculant.cas.numbers.balls import FormulaBalls
@@ -44,10 +44,6 @@ class Enclosed:
         program = self.curve.program(ORDER)
         return table_of(program), np.array(program.outputs)
 
-    @cached_property
-    def _values(self) -> Any:
-        return np.empty((len(self._program[0].codes), 2))
-
     def unclear(self, low: float, high: float) -> list[tuple[float, float]] | None:
         """Narrow intervals of [low, high] outside of which all coefficients are finite; None if many."""
         _, left = self._halved([low, high], sys.float_info.max, LEAST * (high - low), VISITS)
@@ -63,9 +59,7 @@ class Enclosed:
         >>> len(Enclosed(CurveBalls(parse_tuple("t, t^2"))).parts(0.0, 1.0, 1e-3))
         17
         """
-        begun = [low + (high - low) * i / FIRST for i in range(FIRST)] + [high]
-        edges, _ = self._halved(begun, accuracy, NARROWEST * (high - low), WORK_LIMIT)
-        return sorted([*begun, *edges])
+        return [edge for edge, _ in self.levels(low, high, accuracy)]
 
     def levels(self, low: float, high: float, accuracy: float) -> list[tuple[float, float]]:
         """(edge, accuracy below which it is one) of `parts` for all accuracies down to one.
@@ -77,36 +71,38 @@ class Enclosed:
         >>> [edge for edge, level in found if level > 1e-9] == curve.parts(0.0, 8.0, 1e-9)
         True
         """
-        from osculant.kernels.enclosures.parts import last_terms
-
         begun = [low + (high - low) * i / FIRST for i in range(FIRST)] + [high]
-        found, least = dict.fromkeys(begun, math.inf), NARROWEST * (high - low)
-        pending = deque((a, b, math.inf) for a, b in pairwise(begun))
-        for _ in range(WORK_LIMIT):
-            if not pending:
-                break
-            a, b, level = pending.popleft()
-            middle, half = 0.5 * (a + b), 0.5 * (b - a)
-            level = min(level, last_terms(*self._program, middle, half, self._values))
-            if level > accuracy and half >= least and a < middle < b:
-                found[middle] = level
-                pending += [(a, middle, level), (middle, b, level)]
-        return sorted(found.items())
+        new, _ = self._halved(begun, accuracy, NARROWEST * (high - low), WORK_LIMIT)
+        return sorted([*((edge, math.inf) for edge in begun), *new])
 
     def _halved(
         self, edges: list[float], accuracy: float, least: float, most: int
-    ) -> tuple[list[float], list[tuple[float, float]] | None]:
-        """New edges, and the parts that are not polynomials to the accuracy; None if these are many."""
+    ) -> tuple[list[tuple[float, float]], list[tuple[float, float]] | None]:
+        """New edges as `levels` has them, and what parts are not accurate enough; None if these are many."""
         from osculant.kernels.enclosures.parts import polynomial_parts
 
-        count = len(edges) - 1
-        pending, new, left = np.empty((most + 1, 2)), np.empty(most), np.empty((UNCLEAR, 2))
-        pending[:count, 0], pending[:count, 1] = edges[:-1], edges[1:]
+        (table, rows), count = self._program, len(edges) - 1
+        pending, new, left = np.empty((most + 1, 3)), np.empty((most, 2)), np.empty((UNCLEAR, 2))
+        pending[:count] = [(a, b, math.inf) for a, b in pairwise(edges)]
+        values = np.empty((len(table.codes), 2))
         found, remaining = polynomial_parts(
-            *self._program, accuracy, least, most, count, pending, new, left, self._values
+            table, rows, accuracy, least, most, count, pending, new, left, values
         )
-        parts = [(a, b) for a, b in left[:remaining].tolist()]
-        return new[:found].tolist(), parts if remaining <= UNCLEAR else None
+        levels = [(edge, level) for edge, level in new[:found].tolist()]
+        return levels, [(a, b) for a, b in left[:remaining].tolist()] if remaining <= UNCLEAR else None
+
+
+@kept
+def enclosed(curve: FormulaBalls[Any]) -> Enclosed:
+    """The curve in enclosures of doubles, made once.
+
+    >>> from osculant.cas.formulas.parser import parse_tuple
+    >>> from osculant.cas.jets.balls import CurveBalls
+    >>> parabola = CurveBalls(parse_tuple("t, t^2"))
+    >>> enclosed(parabola) is enclosed(parabola)
+    True
+    """
+    return Enclosed(curve)
 
 
 def joined(parts: list[tuple[float, float]]) -> list[tuple[float, float]]:

@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from osculant.curves.enclosed import Enclosed, joined, table_of
+from osculant.curves.enclosed import enclosed, joined, table_of
 
 if TYPE_CHECKING:
     from osculant.cas.numbers.balls import FormulaBalls
@@ -29,6 +29,34 @@ ZEROS, OPEN, FEW = 4096, 512, 32
 NEAR = 2.0**-48
 
 
+class _Interval:
+    """Doubles around an interval whose ends are balls, and back: what is next to an end is that end.
+
+    Attributes:
+        low, high: the ends.
+        a, b: doubles outside of them.
+        near: how near to a double is next to it.
+    """
+
+    def __init__(self, low: Any, high: Any) -> None:
+        a, b = float(low.lower()), float(high.upper())
+        self.low, self.high = low, high
+        self.a, self.b = a - math.ulp(a), b + math.ulp(b)
+        self.near = NEAR * max(abs(self.a), abs(self.b))
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether doubles reach so far."""
+        return math.isfinite(self.b - self.a)
+
+    def exact(self, start: float, end: float) -> tuple[Any, Any]:
+        """A part of the interval, with its ends as balls."""
+        from flint import arb
+
+        first = self.low if start <= self.a + self.near else arb(start)
+        return first, self.high if end >= self.b - self.near else arb(end)
+
+
 class FirstLook:
     """The first look at the zeros of some forms along a curve.
 
@@ -43,19 +71,9 @@ class FirstLook:
 
     def unclear(self, low: Any, high: Any) -> list[tuple[Any, Any]]:
         """Intervals of [low, high] outside of which the curve is finite."""
-        from flint import arb
-
-        a, b = float(low.lower()), float(high.upper())
-        found = (
-            Enclosed(self.curve).unclear(a - math.ulp(a), b + math.ulp(b)) if math.isfinite(b - a) else None
-        )
-        if found is None:
-            return [(low, high)]
-        near = NEAR * max(abs(a), abs(b))
-        return [
-            (low if start <= a + near else arb(start), high if end >= b - near else arb(end))
-            for start, end in found
-        ]
+        interval = _Interval(low, high)
+        found = enclosed(self.curve).unclear(interval.a, interval.b) if interval.is_finite else None
+        return [(low, high)] if found is None else [interval.exact(*part) for part in found]
 
     def __call__(self, names: Sequence[str], low: Any, high: Any) -> Isolation:
         """Brackets of simple zeros on [low, high], and what is open.
@@ -64,40 +82,35 @@ class FirstLook:
         end of the interval is open.
         """
         import numpy as np
-        from flint import arb
 
-        from osculant.cas.zeros.isolate import Box, Isolation
+        from osculant.cas.zeros.isolate import Blind, Box, Isolation
         from osculant.kernels.enclosures.isolation import Room, isolate
 
-        whole = Isolation({name: [] for name in names}, [Box(low, high, tuple(names))])
-        a, b = float(low.lower()), float(high.upper())
-        a, b = a - math.ulp(a), b + math.ulp(b)
-        if not math.isfinite(b - a) or not names:
-            return whole
+        interval = _Interval(low, high)
+        if not interval.is_finite or not names:
+            return Blind()(names, low, high)
         table, forms = self._program(tuple(names))
         size = len(table.codes)
         budget = min(MOST, max(LEAST, int(BUDGET / (2 * size))))
         brackets, boxes = np.empty((ZEROS, 3)), np.empty((OPEN, 3))
         room = Room(np.empty((size, 2)), np.empty((size, 2)), np.empty((budget + 2, 3)))
-        found = isolate(table, forms, a, b, budget, room, brackets, boxes)
+        found = isolate(table, forms, interval.a, interval.b, budget, room, brackets, boxes)
         if found.brackets > ZEROS or found.open > OPEN:
-            return whole
-        near = NEAR * max(abs(a), abs(b))
+            return Blind()(names, low, high)
+        near = interval.near
         opened = [(start, end, int(bits)) for start, end, bits in boxes[: found.open].tolist()]
         result = Isolation({name: [] for name in names})
         for form, start, end in brackets[: found.brackets].tolist():
-            if start - a <= near or b - end <= near:
+            if start - interval.a <= near or interval.b - end <= near:
                 opened.append((start - near, end + near, 1 << int(form)))
             else:
-                result.brackets[names[int(form)]].append((arb(start), arb(end)))
+                result.brackets[names[int(form)]].append(interval.exact(start, end))
         for k, name in enumerate(names):
             parts = joined(sorted((start, end) for start, end, bits in opened if bits >> k & 1))
             if len(parts) > FEW:
                 result.brackets[name] = []
-                parts = [(a, b)]
-            for start, end in parts:
-                ends = low if start <= a + near else arb(start), high if end >= b - near else arb(end)
-                result.unresolved.append(Box(*ends, (name,)))
+                parts = [(interval.a, interval.b)]
+            result.unresolved += [Box(*interval.exact(*part), (name,)) for part in parts]
         return result
 
     def _program(self, names: tuple[str, ...]) -> tuple[Table, Any]:
