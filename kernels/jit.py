@@ -13,6 +13,7 @@ import os
 import re
 import shutil
 import tempfile
+import time
 from collections.abc import Callable, Iterable
 from functools import cache, update_wrapper
 from pathlib import Path
@@ -183,3 +184,37 @@ def when_compiling(call: Callable[[], None]) -> None:
         _listeners.append(_Listener(call))
         event.register("numba:compile", _listeners[0])  # type: ignore[no-untyped-call]
     _listeners[0].call = call
+
+
+class CompileClock(event.Listener):
+    """A watch that runs while kernels are compiled, as numba tells it.
+
+    >>> clock = CompileClock()
+    >>> clock.running, clock.seconds
+    (False, 0.0)
+    """
+
+    def __init__(self) -> None:
+        self._open, self._since, self._before = 0, 0.0, 0.0
+
+    def on_start(self, happening: event.Event) -> None:
+        """A kernel, or one that it calls."""
+        if not self._open:
+            self._since = time.perf_counter()
+        self._open += 1
+
+    def on_end(self, happening: event.Event) -> None:
+        """The same."""
+        self._open -= 1
+        if not self._open:
+            self._before += time.perf_counter() - self._since
+
+    @property
+    def running(self) -> bool:
+        """Whether something is being compiled now."""
+        return self._open > 0
+
+    @property
+    def seconds(self) -> float:
+        """How long it has run, but for now."""
+        return self._before

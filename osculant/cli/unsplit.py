@@ -6,6 +6,7 @@ import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -13,8 +14,8 @@ if TYPE_CHECKING:
 
 #: seconds that it may take
 LONG = 3.0
-#: seconds after which it is stopped again, should the first time be lost in a callback
-AGAIN = 0.5
+#: seconds between looks at the time: one may be lost in a callback
+TICK = 0.25
 #: with more pieces it is not asked how many there are without the knots
 MOST = 2000
 
@@ -32,7 +33,7 @@ def pieces_unsplit(curve: Any, spline: Spline, seconds: float = LONG, **wanted: 
     Args:
         curve: that is approximated.
         spline: with the knots that theory wants.
-        seconds: that it may take.
+        seconds: that it may take, without what compiling kernels takes, which happens once on a machine.
         wanted: the other arguments of `osculant.approximate`.
 
     >>> import osculant as osc
@@ -60,16 +61,23 @@ def pieces_unsplit(curve: Any, spline: Spline, seconds: float = LONG, **wanted: 
 @contextmanager
 def _within(seconds: float) -> Iterator[None]:
     """Raises `_TooLongError` in what takes longer; at once where there is no way to stop that."""
+    from numba.core import event
+
+    from osculant.kernels.jit import CompileClock
+
     if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         raise _TooLongError
+    began, compiling = perf_counter(), CompileClock()
 
-    def stop(*_: object) -> None:
-        raise _TooLongError
+    def look(*_: object) -> None:
+        if not compiling.running and perf_counter() - began - compiling.seconds >= seconds:
+            raise _TooLongError
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
+    before = signal.signal(signal.SIGALRM, look)
+    signal.setitimer(signal.ITIMER_REAL, min(seconds, TICK), TICK)
     try:
-        yield
+        with event.install_listener("numba:compile", compiling):
+            yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)

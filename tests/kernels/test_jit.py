@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from numba.core import event
 
 from osculant.kernels import jit
 from osculant.kernels.curves.vectors import dot
@@ -173,3 +174,17 @@ def test_the_notice_of_compiling_is_given_once(cache):
     jit.folder_of.cache_clear()
     assert fresh_dot() == (32.0, 0)
     assert told == ["last"]
+
+
+def test_the_clock_runs_while_anything_is_compiled():
+    clock = jit.CompileClock()
+    with event.install_listener("numba:compile", clock):
+        with event.trigger_event("numba:compile"):
+            with event.trigger_event("numba:compile"):
+                assert clock.running
+            assert clock.running and clock.seconds == 0
+        assert not clock.running and clock.seconds > 0
+        before = clock.seconds
+    with event.trigger_event("numba:compile"):
+        assert not clock.running
+    assert clock.seconds == before

@@ -62,6 +62,12 @@ def test_where_they_cost_nothing_is_said(capsys, options):
     assert "theory forces" not in run(capsys, "approximate", *COSH, *options).get("split", "")
 
 
+def test_knots_that_cost_much_in_space():
+    curve = osculant.curve("(6+2*cos(5*t))*cos(t), (6+2*cos(5*t))*sin(t), 2*sin(5*t)", 0, "2*pi")
+    spline = osculant.approximate(curve, "bihelix", 1e-2)
+    assert (len(spline), pieces_unsplit(curve, spline, 600)) == (20, 15)
+
+
 def test_what_takes_too_long_is_not_told():
     curve = osculant.curve("t, cosh(t)", -1, 2)
     spline = osculant.approximate(curve, "conic", 1e-2)
