@@ -2,7 +2,8 @@
 
 Samples of a curve cannot tell what it does between them; balls can.  On a part where the last term of
 Taylor's formula is below an accuracy, every coordinate is its Taylor polynomial about the middle up to that
-accuracy, so that a few samples there miss nothing larger.
+accuracy; where all tangents are within a right angle, it does not turn back.  A few samples there miss
+nothing larger.
 """
 
 from __future__ import annotations
@@ -20,16 +21,19 @@ from osculant.cas.numbers.balls import FormulaBalls, precision
 ORDER, BITS, FIRST = 8, 64, 16
 #: parts are halved down to this part of the whole, and in all so many are looked at
 NARROWEST, WORK_LIMIT = 2.0**-44, 20_000
+#: vectors that are within so much of one, in parts of its length, are within a right angle of each other
+STRAIGHT = math.sqrt(0.5)
 
 
 def polynomial_parts(curve: FormulaBalls[Any], low: float, high: float, accuracy: float) -> list[float]:
-    """The edges of parts of [low, high] on which the curve is a polynomial of degree `ORDER` − 1.
+    """The edges of parts of [low, high] on which the curve is a polynomial and does not turn back.
 
     Args:
         curve: its coordinates in ball arithmetic.
         low: one end, a double,
         high: and the other.
-        accuracy: how far from the polynomial a coordinate may be, at most.
+        accuracy: how far from a polynomial of degree `ORDER` − 1 a coordinate may be at most, and how large a
+            part on which the curve may turn back.
 
     Returns:
         Increasing doubles, from low to high.  Wide parts are halved first; where the curve is singular, and
@@ -52,17 +56,27 @@ def polynomial_parts(curve: FormulaBalls[Any], low: float, high: float, accuracy
                 break
             a, b = pending.popleft()
             middle, half = 0.5 * (a + b), 0.5 * (b - a)
-            if half < least or not a < middle < b or remainder(curve, middle, half) <= accuracy:
+            if half < least or not a < middle < b or clearness(curve, middle, half) <= accuracy:
                 continue
             edges.add(middle)
             pending += [(a, middle), (middle, b)]
     return sorted(edges)
 
 
-def remainder(curve: FormulaBalls[Any], middle: float, half: float) -> float:
-    """The largest last term of a coordinate about the middle of an interval; infinite where one is not."""
-    largest = 0.0
+def clearness(curve: FormulaBalls[Any], middle: float, half: float) -> float:
+    """Down to what accuracy a part is no feature of the curve; infinite where a coefficient is not finite.
+
+    The last term of Taylor's formula about the middle is at most so large; and either all tangents are within
+    a right angle, so that the curve does not turn back, or the part as a whole is as small.
+    """
+    largest, length, velocity, doubt = 0.0, 0.0, 0.0, 0.0
     for row in curve.coefficients(arb(middle, half), ORDER):
         size = float(abs(row[ORDER]).upper()) * half**ORDER
-        largest = max(largest, size if math.isfinite(size) else math.inf)
-    return largest
+        first = row[1]
+        if not all(term.is_finite() for term in row):
+            return math.inf
+        largest = max(largest, size)
+        velocity = math.hypot(velocity, float(first.mid()))
+        doubt = math.hypot(doubt, float(first.rad()))
+        length += 2.0 * half * float(abs(first).upper())
+    return largest if doubt <= STRAIGHT * velocity else max(largest, length)

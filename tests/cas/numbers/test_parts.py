@@ -5,6 +5,7 @@ from itertools import pairwise
 import mpmath as mp
 import numpy as np
 import pytest
+from flint import arb
 
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.jets.balls import CurveBalls
@@ -41,6 +42,15 @@ def test_taylor_polynomials_are_near(text, at, a, b, accuracy):
                 for t in (low, high):
                     found = mp.polyval(series[::-1], mp.mpf(t) - middle)
                     assert abs(found - at(mp.mpf(t))[i]) <= accuracy
+
+
+@pytest.mark.parametrize("text", ["t^2, t^3 - 10^-6*t", "cos(9*t), sin(9*t)", "t^2, t^3"])
+def test_parts_do_not_turn_back_or_are_small(text):
+    accuracy, curve = 1e-4, CurveBalls(parse_tuple(text))
+    for low, high in pairwise(polynomial_parts(curve, -1.0, 1.1, accuracy)):
+        rows = [curve.coefficients(arb(t), 1) for t in np.linspace(low, high, 20)]
+        points, velocities = (np.array([[float(c[k]) for c in row] for row in rows]) for k in (0, 1))
+        assert (velocities @ velocities.T > 0).all() or np.ptp(points, axis=0).max() <= accuracy
 
 
 def test_a_tiny_bump_is_found_and_the_rest_left_alone():

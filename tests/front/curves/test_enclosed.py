@@ -9,7 +9,7 @@ from flint import arb
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.numbers.balls import precision
-from osculant.cas.numbers.parts import ORDER, polynomial_parts, remainder
+from osculant.cas.numbers.parts import ORDER, clearness, polynomial_parts
 from osculant.curves.enclosed import Enclosed, joined
 
 CURVES = [
@@ -26,10 +26,12 @@ def test_parts_are_those_of_balls(text, low, high, accuracy):
     curve = CurveBalls(parse_tuple(text))
     edges = Enclosed(curve).parts(low, high, accuracy)
     assert edges[0] == low and edges[-1] == high and (np.diff(edges) > 0).all()
-    assert abs(len(edges) - len(polynomial_parts(curve, low, high, accuracy))) <= 2
+    # velocities are enclosed more widely where the curve bends much
+    of_balls = len(polynomial_parts(curve, low, high, accuracy))
+    assert of_balls - 2 <= len(edges) <= 4 / 3 * of_balls
     with precision(200):
         for a, b in pairwise(edges):
-            assert b - a < 1e-12 or remainder(curve, (a + b) / 2, (b - a) / 2) <= accuracy
+            assert b - a < 1e-12 or clearness(curve, (a + b) / 2, (b - a) / 2) <= accuracy
 
 
 @pytest.mark.parametrize(("text", "low", "high", "accuracy"), CURVES)
