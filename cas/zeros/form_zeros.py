@@ -20,6 +20,7 @@ from osculant.cas.formulas.expression import Node
 from osculant.cas.numbers.balls import PRECISION, FormulaBalls, ball, constant, padded, precision
 from osculant.cas.numbers.parts import polynomial_parts
 from osculant.cas.zeros.isolate import (
+    LENGTH,
     SMALLEST,
     Blind,
     Box,
@@ -34,8 +35,6 @@ from osculant.cas.zeros.isolate import (
 )
 from osculant.cas.zeros.multiplicity import order_of_zero, simple_numbers
 
-#: terms of the Taylor forms
-LENGTH = 14
 #: Taylor coefficients looked at, in turn, for the multiplicity of a zero
 MULTIPLE = (2, 10, 30, 90)
 #: terms beyond the multiplicity that show a zero to be alone
@@ -243,13 +242,13 @@ class FormZeros(Generic[Jet]):
         a, b = float(low.mid()), float(high.mid())
         return [(low if x == a else arb(x), high if y == b else arb(y)) for x, y in spans]
 
-    def evaluate(self, t: Any, names: Sequence[str]) -> dict[str, list[list[Any]]] | None:
+    def evaluate(self, t: Any, names: Sequence[str], terms: int) -> dict[str, list[list[Any]]] | None:
         """Series of several forms and of their parts over one ball; None where the curve is not finite."""
-        jet = self.curve.series_jet(t, max(self.forms[name].order for name in names), LENGTH)
+        jet = self.curve.series_jet(t, max(self.forms[name].order for name in names), terms)
         if jet is None:
             return None
         return {
-            name: [padded(s, LENGTH) for s in (self.forms[name].form(jet), *self.forms[name].parts(jet))]
+            name: [padded(s, terms) for s in (self.forms[name].form(jet), *self.forms[name].parts(jet))]
             for name in names
         }
 

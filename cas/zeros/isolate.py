@@ -28,9 +28,12 @@ SMALLEST = 60
 #: from this width on, in the same measure, multiple zeros are looked for
 SMALL = 5
 
-#: (ball, names) → for each function its series there, then series that vanish too wherever it does;
+#: terms of Taylor forms, and of those where more terms help more than a narrower interval
+LENGTH, LONGER = 14, (20, 28, 40, 56, 80, 112, 160)
+
+#: (ball, names, terms) → for each function its series there, then series that vanish too wherever it does;
 #: None where one is not finite
-Evaluate = Callable[[Any, Sequence[str]], Mapping[str, list[list[Any]]] | None]
+Evaluate = Callable[[Any, Sequence[str], int], Mapping[str, list[list[Any]]] | None]
 #: (name, low, high) → an interval around it that needs no more work for this function, or None
 Decide = Callable[[str, Any, Any], tuple[Any, Any] | None]
 
@@ -101,7 +104,7 @@ def first_infinite(
 
     ``look`` tells where to seek it.  Raises UndecidedError after `WORK_LIMIT` intervals.
 
-    >>> first_infinite(lambda t, names: None, ["f"], arb(0), arb(1)) is not None
+    >>> first_infinite(lambda t, names, terms: None, ["f"], arb(0), arb(1)) is not None
     True
     """
     least = (high - low) * arb(2) ** -SMALLEST
@@ -110,7 +113,7 @@ def first_infinite(
         if not stack:
             return None
         low, high = stack.pop()
-        if evaluate(ball(low, high), names) is None:
+        if evaluate(ball(low, high), names, LENGTH) is None:
             if high - low < least:
                 return low, high
             cut = divided(low, high)
@@ -136,19 +139,23 @@ def isolate(
     Instead of all of it, only some ``boxes`` of the interval may be left to look at.
     ``decide(name, low, high)`` may settle what happens on a small interval; it then returns an interval
     on which nothing is left to do for that function.  After ``limit`` boxes, by default `WORK_LIMIT`, the
-    open ones are unresolved.
+    open ones are unresolved; one that takes more terms counts as several.
     """
     found = Isolation({name: [] for name in names})
     size = high - low
     # wide ones first: a hard place must not starve the others
     queue = deque([Box(low, high, tuple(names))] if boxes is None else boxes)
-    for _ in range(WORK_LIMIT if limit is None else limit):
-        if not queue:
-            return found
+    work, most = 0, WORK_LIMIT if limit is None else limit
+    while queue and work < most:
         box = queue.popleft()
         width = box.high - box.low
         box.open = tuple(name for name in box.open if not _is_decided(found, name, box))
-        box.open = _undecided(evaluate, box, found)
+        box.open, terms = _undecided(evaluate, box, found, LENGTH)
+        work += 1
+        longer = next((length for length in LONGER if length >= terms > LENGTH), None)
+        if longer:
+            box.open, _ = _undecided(evaluate, box, found, longer)
+            work += longer // LENGTH
         if width < size * arb(2) ** -SMALL:
             box.open = tuple(name for name in box.open if not _decide(decide, name, box, found))
         if box.open and width < size * arb(2) ** -SMALLEST:
@@ -171,30 +178,51 @@ def _decide(decide: Decide, name: str, box: Box, found: Isolation) -> bool:
     return settled is not None
 
 
-def _undecided(evaluate: Evaluate, box: Box, found: Isolation) -> tuple[str, ...]:
-    """The functions still open on the box; simple zeros go to ``found``."""
+def _undecided(evaluate: Evaluate, box: Box, found: Isolation, terms: int) -> tuple[tuple[str, ...], int]:
+    """The functions still open on the box, and with how many terms they may not be.
+
+    Simple zeros go to ``found``.
+    """
     if not box.open:
-        return ()
+        return (), 0
     centre = arb(((box.low + box.high) / 2).mid())
     whole = ball(box.low, box.high)
-    over = evaluate(whole, box.open)
+    over = evaluate(whole, box.open, terms)
     if over is None:
-        return box.open
+        return box.open, 0
     still = [name for name in box.open if all(series[0].contains(0) for series in over[name])]
-    at = evaluate(centre, still) if still else {}
+    at = evaluate(centre, still, terms) if still else {}
     if at is None:
-        return box.open
-    left = []
+        return box.open, 0
+    left, wanted = [], 0
     for name in still:
-        values = [taylor_form(*pair, whole - centre) for pair in zip(at[name], over[name], strict=True)]
-        if not all(value.contains(0) for value in values):
+        pairs = list(zip(at[name], over[name], strict=True))
+        if not all(taylor_form(*pair, whole - centre).contains(0) for pair in pairs):
             continue
         slope = taylor_form(differentiated(at[name][0]), differentiated(over[name][0]), whole - centre)
         if slope.contains(0):
             left.append(name)
+            wanted = max(wanted, min(terms_wanted(*pair, whole - centre) for pair in pairs))
         else:
             found.brackets[name].append((box.low, box.high))
-    return tuple(left)
+    return tuple(left), wanted
+
+
+def terms_wanted(at_centre: list[Any], over: list[Any], h: Any) -> int:
+    """How many terms a Taylor form takes to exclude 0, if they go on to fall as they do; many if they do not.
+
+    Where large functions cancel and leave little, the last term hides it unless it is as small.
+
+    >>> terms_wanted([arb(2) ** -100, arb(0), arb(0)], [arb(0, 1), arb(0, 1), arb(0, 1)], arb(0, 2**-10))
+    12
+    """
+    value = abs(at_centre[0]).lower()
+    sizes = [abs(c).upper() * abs(h).upper() ** k for k, c in enumerate(over)]
+    largest = max(sizes)
+    if not (value > 0 and sizes[-1] > 0 and sizes[-1] < largest):
+        return LONGER[-1] + 1
+    rate = (sizes[-1] / largest).log() / (len(sizes) - 1)
+    return int(min(float((value / (2 * largest)).log() / rate), LONGER[-1])) + 2
 
 
 def refine(

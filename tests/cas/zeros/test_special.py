@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from flint import arb, arb_series
+from flint import arb, arb_series, ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
@@ -361,7 +361,9 @@ def counted(monkeypatch):
     calls = []
     evaluate = FormZeros.evaluate
     monkeypatch.setattr(
-        FormZeros, "evaluate", lambda self, t, names: calls.append(t) or evaluate(self, t, names)
+        FormZeros,
+        "evaluate",
+        lambda self, t, names, terms: calls.append(t) or evaluate(self, t, names, terms),
     )
     return calls
 
@@ -433,14 +435,31 @@ def test_order_of_zero(text, form, at, order):
     assert not order_of_zero(curve, *zero, parse_constant(f"{at} + 10^(-200)"), 1)
 
 
-def isolated(function, low, high):
+def isolated(function, low, high, calls=None):
     """Zeros of an mpmath-free function of power series, by `isolate` alone."""
 
-    def evaluate(t, names):
-        series = function(arb_series([t, 1], 6)).coeffs()
-        return {name: [[*series, *[arb(0)] * (6 - len(series))]] for name in names}
+    def evaluate(t, names, terms):
+        if calls is not None:
+            calls.append(terms)
+        old, ctx.cap = ctx.cap, terms
+        series = function(arb_series([t, 1], terms)).coeffs()
+        ctx.cap = old
+        return {name: [[*series, *[arb(0)] * (terms - len(series))]] for name in names}
 
     return isolate.isolate(evaluate, lambda *_: None, ["f"], arb(low), arb(high))
+
+
+@pytest.mark.parametrize("bits", [60, 400, 900])
+def test_what_is_left_where_large_functions_cancel_takes_terms_and_not_boxes(bits):
+    def function(t):
+        return t.sin() * t.sin() + t.cos() * t.cos() - 1 + (t - arb(1) / 3) * arb(2) ** -bits
+
+    calls = []
+    with precision(1100):
+        found = isolated(function, 0, 2, calls)
+    [(low, high)] = found.brackets["f"]
+    assert low < arb(1) / 3 and arb(1) / 3 < high and not found.unresolved
+    assert len(calls) < 250 and max(calls) <= isolate.LONGER[-1]
 
 
 @given(st.lists(st.integers(-40, 40), min_size=1, max_size=5, unique=True))
