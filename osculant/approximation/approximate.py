@@ -7,13 +7,13 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-from osculant.approximation.bridging import allowed_extent, flat_enough, width
+from osculant.approximation.bridging import allowed_extent, crowded, flat_enough, width
 from osculant.approximation.closing import closing
 from osculant.approximation.division import chord_of, divide, is_exact
 from osculant.approximation.hypotheses import hold
 from osculant.approximation.prediction import prediction, quick_complexity
 from osculant.approximation.request import requested
-from osculant.approximation.runs import whole_error
+from osculant.approximation.runs import StuckError, whole_error
 from osculant.cas.errors import DomainError
 from osculant.primitives.table import choose
 from osculant.spline import Minimal, Prediction, Spline
@@ -63,7 +63,7 @@ def approximate_curve(
     # a search for the best beginning takes errors that are monotone
     closed_how = closing(curve, closed, seam=not fit.primitive.monotone)
 
-    def fitted(stuck: Sequence[float] | None) -> Fitted:
+    def fitted(stuck: Sequence[float] | None, lead: bool = False) -> Fitted:
         """The pieces, with small arcs passed over, also where the search was stuck; None: without that."""
         level = allowed if count is None else FLOOR_ULPS * rounding
         passed_over = 0.0 if stuck is None else allowed_extent(level, fit.degree)
@@ -75,7 +75,7 @@ def approximate_curve(
             division = chord_of(curve, off)
         else:
             division = divide(
-                curve, primitive, tuple(split_at), closed_how, split, passed_over, tuple(stuck or ())
+                curve, primitive, tuple(split_at), closed_how, split, passed_over, tuple(stuck or ()), lead
             )
         fitting = Fitting(curve, fit, division, size, allowed if count is None else None)
         if count is not None:
@@ -86,7 +86,11 @@ def approximate_curve(
             else fitting.for_tolerance(allowed, progress)
         )
 
-    found = _unstuck(fitted)
+    found, places = _unstuck(fitted)
+    crowds = crowded(curve, found.runs, allowed_extent(allowed, fit.degree)) if count is None else []
+    if crowds:
+        places = [*places, *crowds]
+        found = _fewest(lambda: found, lambda: fitted(places), lambda: fitted(places, lead=True)) or found
     if count is not None:
         error = whole_error(found.runs, fit.degree)
         asked = allowed = error + writing_share(error, rounding)
@@ -122,24 +126,33 @@ def approximate_curve(
     )
 
 
-def _unstuck(fitted: Callable[[Sequence[float] | None], Fitted]) -> Fitted:
-    """What is found once small arcs are passed over wherever the search is stuck, often but not forever.
+def _unstuck(fitted: Callable[..., Fitted]) -> tuple[Fitted, list[float]]:
+    """What is found once small arcs are passed over wherever the search is stuck, and where that is.
 
-    Where it is stuck only because an arc at an end is passed over, nothing is.
+    It is so often, but not forever.  Where it is stuck only because an arc at an end is passed over, none is,
+    or small pieces lead there.
     """
-    from osculant.approximation.runs import StuckError
-
     places: list[float] = []
     while True:
         try:
-            return fitted(places)
+            return fitted(places), places
         except StuckError as error:
             if error.at in places or len(places) == MOST_STUCK:
                 raise
             if not places:
-                with suppress(StuckError):
-                    return fitted(None)
+                found = _fewest(lambda: fitted(None), lambda: fitted((), lead=True))
+                if found is not None:
+                    return found, places
             places.append(error.at)
+
+
+def _fewest(*ways: Callable[[], Fitted]) -> Fitted | None:
+    """What takes the fewest pieces of what some ways find, the first of them; None if all are stuck."""
+    found = []
+    for way in ways:
+        with suppress(StuckError):
+            found.append(way())
+    return min(found, key=lambda one: one.count, default=None)
 
 
 def check_areas(curve: FormulaCurve, size: Extent, fit: Fit) -> None:

@@ -15,12 +15,15 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from osculant.approximation.split_points import as_float
 from osculant.curves.kept import kept
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from osculant.approximation.runs import Run
     from osculant.cas.zeros.form_zeros import SpecialPoint
     from osculant.curves.curve import FormulaCurve
 
@@ -32,6 +35,8 @@ FLAT = 1 / 256
 STRAIGHTEST = 1e-6
 #: directions that differ by less than this are one
 STRAIGHT = 0.02
+#: pieces of one small arc that are too many
+CROWD = 4
 #: what a curve may turn by, in radians, next to its end: within this part of what is passed over
 HOOK, NEXT = 0.02, 2.0**-9
 #: boxes in which an arc is enclosed: few, more where these tell nothing
@@ -141,6 +146,30 @@ def _with_margins(
         if reach < math.inf:
             return first, last, reach
     return None
+
+
+def crowded(curve: FormulaCurve, runs: Sequence[Run], extent: float) -> list[float]:
+    """Ends of arcs of an extent at most so large that take `CROWD` pieces or more, split by nothing.
+
+    Whoever winds about a point need not be followed for ever: a piece turns less than once.
+
+    >>> from osculant.curves.plane import PlaneCurve
+    >>> import numpy as np
+    >>> from osculant.approximation.runs import Run
+    >>> fading = PlaneCurve("exp(-t)*cos(20*t), exp(-t)*sin(20*t)", 0, 9)
+    >>> crowded(fading, [Run(np.arange(10.0), np.zeros(9), np.empty((9, 0)))], 0.01)
+    [5.0, 9.0]
+    """
+    found = []
+    for run in runs:
+        points, first = curve.jets(run.knots)[:, :, 0], 0
+        while first + CROWD < len(points):
+            away = np.linalg.norm(points[first:] - points[first], axis=1) > extent / 2
+            last = first + int(np.argmax(away) if away.any() else len(away)) - 1
+            if last - first >= CROWD:
+                found += [float(run.knots[first]), float(run.knots[last])]
+            first = max(last, first + 1)
+    return found
 
 
 def meeting(before: Sequence[float], after: Sequence[float]) -> tuple[float, tuple[float, ...]] | None:

@@ -107,6 +107,7 @@ def divide(
     split: str = "theory",
     extent: float = 0.0,
     stuck: Sequence[float] = (),
+    lead: bool = False,
 ) -> Division:
     """Divide the curve for a spline of the primitive.
 
@@ -122,6 +123,8 @@ def divide(
         extent: arcs between split points that are smaller, or so near to an end, are passed over
             (`osculant.approximation.bridging`); 0 if none is.
         stuck: parameters around which arcs of that size are passed over in any case.
+        lead: whether small pieces lead to an end of the curve, where an arc is passed over there; otherwise
+            the piece next to it does.
 
     Raises:
         DomainError: a split point outside the interval (the seam of a closed curve is inside), an unknown
@@ -166,12 +169,14 @@ def divide(
         passed_over: list[Blemish] = []
         if extent > 0 and kind in ("generic", "level") and wanted.bridge is not None and not free:
             passed_over = blemishes(curve, knots, extent, stuck, closing == "smooth")
-        joints = _joints(curve, knots, passed_over)
+        joints = _joints(curve, knots, passed_over, lead)
         stretches = [
             part
             for before, after in pairwise(joints)
             for part in _between(curve, before, after, kind, passed, free)
         ]
+        if lead and joints[-1].at is None:
+            stretches.append(_bridge(joints[-1]))
     inside = [(as_float(b.low), as_float(b.high)) for b in passed_over]
 
     def followed(at: float) -> bool:
@@ -302,26 +307,30 @@ class _Joint:
 
 
 def _joints(
-    curve: FormulaCurve, knots: Sequence[tuple[Any, SpecialPoint]], passed_over: Sequence[Blemish]
+    curve: FormulaCurve,
+    knots: Sequence[tuple[Any, SpecialPoint]],
+    passed_over: Sequence[Blemish],
+    lead: bool,
 ) -> list[_Joint]:
     """The joints at the knots, in order, and instead of knots in arcs that are passed over, those there."""
-    joints = [_passing(curve, blemish) for blemish in passed_over]
+    joints = [_passing(curve, blemish, lead) for blemish in passed_over]
     for at, point in knots:
         if not any(as_float(b.low) <= as_float(at) <= as_float(b.high) for b in passed_over):
             joints.append(_Joint(at, _frame(curve, point, -1), at, _frame(curve, point, 1), as_float(at)))
     return sorted(joints, key=lambda joint: as_float(joint.low))
 
 
-def _passing(curve: FormulaCurve, blemish: Blemish) -> _Joint:
+def _passing(curve: FormulaCurve, blemish: Blemish, lead: bool) -> _Joint:
     """The joint where an arc is passed over."""
     low, high, reach = blemish.low, blemish.high, blemish.reach
     ends = [tuple(as_float(row[0]) for row in curve.balls.coefficients(at, 0)) for at in (low, high)]
-    if blemish.at_start:
-        frame = Frame(ends[0], _regular(curve, high))
-        return _Joint(low, frame, high, frame, as_float(low), reach)
-    if blemish.at_end:
-        frame = Frame(ends[1], _regular(curve, low))
-        return _Joint(low, frame, high, frame, as_float(high), reach)
+    if blemish.at_start or blemish.at_end:
+        tangent = _regular(curve, high if blemish.at_start else low)
+        first, last = (Frame(point, tangent) for point in ends)
+        if lead:
+            return _Joint(low, first, high, last, None, reach)
+        frame, at = (first, low) if blemish.at_start else (last, high)
+        return _Joint(low, frame, high, frame, as_float(at), reach)
     tangents = _regular(curve, low), _regular(curve, high)
     turn = meeting(*tangents)
     if turn is None:
@@ -354,11 +363,13 @@ def _between(
     whole = Stretch(low, high, a, b, before.start, after.end, kind, bend, inside, reach, covers)
     if before.at is not None:
         return [whole]
-    ends = as_float(before.low), as_float(before.high)
-    return [
-        Stretch(before.low, before.high, *ends, before.end, before.start, "bridge", 1.0, (), before.reach),
-        whole,
-    ]
+    return [_bridge(before), whole]
+
+
+def _bridge(joint: _Joint) -> Stretch:
+    """The stretch of the small pieces at a joint."""
+    a, b = as_float(joint.low), as_float(joint.high)
+    return Stretch(joint.low, joint.high, a, b, joint.end, joint.start, "bridge", 1.0, (), joint.reach)
 
 
 def _frame(curve: FormulaCurve, point: SpecialPoint, side: int) -> Frame:
