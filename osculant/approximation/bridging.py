@@ -156,9 +156,9 @@ def crowded(curve: FormulaCurve, runs: Sequence[Run], extent: float) -> list[flo
     >>> from osculant.curves.plane import PlaneCurve
     >>> import numpy as np
     >>> from osculant.approximation.runs import Run
-    >>> fading = PlaneCurve("exp(-t)*cos(20*t), exp(-t)*sin(20*t)", 0, 9)
-    >>> crowded(fading, [Run(np.arange(10.0), np.zeros(9), np.empty((9, 0)))], 0.01)
-    [5.0, 9.0]
+    >>> fading = PlaneCurve("exp(-t)*cos(20*t), exp(-t)*sin(20*t)", 0, 12)
+    >>> crowded(fading, [Run(np.arange(13.0), np.zeros(12), np.empty((12, 0)))], 0.01)
+    [6.0, 12.0]
     """
     found = []
     for run in runs:
