@@ -6,6 +6,7 @@ derivations give today.
 
 from __future__ import annotations
 
+import math
 import sys
 from pathlib import Path
 
@@ -21,6 +22,8 @@ from osculant.cas.laws.table import LAWS
 from osculant.codegen.closed_forms import ClosedForm, module_source
 
 FOLDER = Path(__file__).resolve().parent.parent / "kernels" / "generated"
+#: digits of constants on the way to doubles, and bits of their first parts
+DIGITS, SHORT = 60, 40
 
 
 def pencil_module() -> str:
@@ -238,7 +241,26 @@ def forms_module() -> str:
     return module_source("cas/jets/plane.py and cas/jets/space.py", [*forms, vertex, *sizes], {})
 
 
+def constants_module() -> str:
+    """π/2 and log 2, each as three doubles, the first two so short that small multiples of them are exact."""
+    lines = []
+    for name, exact in (("HALF_PI", sp.pi / 2), ("LOG_2", sp.log(2))):
+        rest, parts = sp.Rational(sp.N(exact, DIGITS)), []
+        for bits in (SHORT, SHORT, None):
+            part = float(rest)
+            if bits is not None:
+                _, exponent = math.frexp(part)
+                part = math.ldexp(math.floor(math.ldexp(part, bits - exponent)), exponent - bits)
+            parts.append(part)
+            rest -= sp.Rational(part)
+        lines.append(f"{name} = ({', '.join(map(repr, parts))})")
+    title = "Generated from sympy's π and log 2 by codegen.generate; do not edit."
+    note = "Each is the sum of three doubles, the first two with few digits, so that multiples are exact."
+    return f'"""{title}\n\n{note}\n"""\n\n\n' + "\n".join(lines) + "\n"
+
+
 MODULES = {
+    "constants.py": constants_module,
     "forms.py": forms_module,
     "pencil.py": pencil_module,
     "invariants.py": invariants_module,

@@ -60,10 +60,12 @@ def form_program(
     order: int,
     length: int,
     variable: str = "t",
+    parameters: Sequence[str] = (),
 ) -> Program:
     """The program for the first ``length`` Taylor coefficients of forms over a jet of that order.
 
-    Its outputs have a row for each form.  Raises FormulaError if a coordinate has another variable.
+    Its outputs have a row for each form.  ``parameters`` are variables that do not change along the curve.
+    Raises FormulaError if a coordinate has another variable.
 
     >>> from osculant.cas.formulas.parser import parse_tuple
     >>> from osculant.cas.jets.plane import PlaneJet
@@ -72,7 +74,7 @@ def form_program(
     >>> bend.run(2.0, Doubles())
     [[12.0, 6.0, 0.0]]
     """
-    writer = Writer(variable)
+    writer = Writer(variable, parameters)
     series: dict[Node, list[int]] = {}
     for node in topological(coordinates):
         series[node] = writer.series(node, [series[arg] for arg in node.args], order + length)

@@ -19,7 +19,8 @@ from osculant.kernels.jit import kernel
 from osculant.kernels.operations import dimension, place_in
 from osculant.kernels.standalone.divide import measured
 from osculant.kernels.standalone.free import SIZE
-from osculant.kernels.standalone.special import JET, Jets
+from osculant.kernels.standalone.precise import Jets
+from osculant.kernels.standalone.special import JET
 from osculant.kernels.standalone.stretches import DONE, TOO_MUCH, UNDEFINED, WRONG
 
 #: panels at first, rows of the course at most, and samples for each
@@ -153,7 +154,7 @@ def distances(
     """
     if not (high - low > 0.0 and high - low < math.inf):
         return WRONG
-    jets = Jets(address, address, dimension(fit), np.empty(JET))
+    jets = Jets(address, address, dimension(fit), address, False, np.empty(JET), np.empty(1))
     size, edges, room = np.empty(SIZE), np.empty(PANELS + 1), np.empty((COURSE, 3))
     if not measured(fit, jets, low, high, units, 1, size):
         return UNDEFINED

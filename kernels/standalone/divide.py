@@ -11,7 +11,9 @@ from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.generated import forms
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import NOISE, ORIGIN, SCALE, dimension
-from osculant.kernels.standalone.special import NO_FORM, Jets, add_cusps, add_zeros, insert
+from osculant.kernels.standalone.pairs import Pair
+from osculant.kernels.standalone.precise import Jets, write_precise
+from osculant.kernels.standalone.special import NO_FORM, add_cusps, add_zeros, insert
 from osculant.kernels.standalone.stretches import DONE, FRAMES, SIDE, START, STOP, TOO_MUCH, UNDEFINED, WRONG
 
 #: samples that tell the size of a curve, as in `osculant.curves.extent`
@@ -37,9 +39,9 @@ def measured(fit: Any, jets: Jets, low: float, high: float, units: np.ndarray[An
     """
     k = dimension(fit) + 1
     least, most = np.empty(3), np.empty(3)
-    largest = 0.0
+    largest, step = 0.0, (high - low) / (SAMPLES - 1)
     for i in range(SAMPLES):
-        t = high if i == SAMPLES - 1 else low + (high - low) * i / (SAMPLES - 1)
+        t = high if i == SAMPLES - 1 else i * step + low
         call_jet(jets.address, t, jets.jet)
         for j in range(dimension(fit)):
             x = jets.jet[k * j]
@@ -82,15 +84,15 @@ def power_of_two(x: float) -> float:
 
 @kernel
 def write_frame(
-    fit: Any, jets: Jets, t: float, sign: float, slow: float, row: np.ndarray[Any, Any], first: int
+    fit: Any, jets: Jets, at: Pair, sign: float, slow: float, row: np.ndarray[Any, Any], first: int
 ) -> bool:
-    """Write the point and unit tangent at t into a row, at a cusp that of the side ``sign``.
+    """Write the point and unit tangent at a parameter into a row, at a cusp that of the side ``sign``.
 
     Returns False if there is none.
     """
     n = dimension(fit)
     k = n + 1
-    call_jet(jets.address, t, jets.jet)
+    call_jet(jets.address, at.high, jets.jet)
     for order in range(1, 3):
         square = 0.0
         for i in range(n):
@@ -101,13 +103,15 @@ def write_frame(
                 row[first + i] = jets.jet[k * i]
                 tangent = jets.jet[k * i + order] / length
                 row[first + n + i] = tangent if order == 1 else sign * tangent
+            if jets.sure:
+                write_precise(fit, jets, at, order, 1.0 if order == 1 else sign, row, first)
             return True
     return False
 
 
 @kernel
 def divided(
-    fit: Any, jets: Jets, form: int, other: int, low: float, high: float, splits: np.ndarray[Any, Any],
+    fit: Any, jets: Jets, form: int, other: int, low: Pair, high: Pair, splits: np.ndarray[Any, Any],
     given: bool, extent: float, stretches: np.ndarray[Any, Any],
 ) -> tuple[int, int]:  # fmt: skip
     """(number of stretches, how it went): ``stretches`` filled between the special points of [low, high].
@@ -124,35 +128,37 @@ def divided(
         extent: of the curve.
         stretches: room for `POINTS` + 1 rows.
     """
-    points = np.empty(POINTS)
-    count = 0
+    points = np.empty((POINTS, 2))
+    count, a, b = 0, low.high, high.high
     if given:
         for i in range(splits.shape[0]):
-            if not (splits[i] > low and splits[i] < high) or (i > 0 and not splits[i] > splits[i - 1]):
+            if not (splits[i] > a and splits[i] < b) or (i > 0 and not splits[i] > splits[i - 1]):
                 return 0, WRONG
-            count = insert(points, count, splits[i], low, high)
+            count = insert(points, count, Pair(splits[i], 0.0), a, b)
             if count < 0:
                 return 0, TOO_MUCH
     else:
-        count = add_cusps(fit, jets, low, high, points, count)
+        count = add_cusps(fit, jets, a, b, points, count)
         if form != NO_FORM and count >= 0:
-            count = add_zeros(jets, form, low, high, points, count)
+            count = add_zeros(fit, jets, form, 0, a, b, points, count)
         if other != NO_FORM and count >= 0:
-            count = add_zeros(jets, other, low, high, points, count)
+            count = add_zeros(fit, jets, other, 1, a, b, points, count)
         if count < 0:
             return 0, TOO_MUCH
-    slow = SLOW * extent / (high - low)
+    slow = SLOW * extent / (b - a)
     n = dimension(fit)
+    start = low
     for i in range(count + 1):
         row = stretches[i]
-        a, b = points[i - 1] if i > 0 else low, points[i] if i < count else high
-        row[START], row[STOP], row[SIDE] = a, b, 1.0
-        first = write_frame(fit, jets, a, 1.0, slow, row, FRAMES)
-        last = write_frame(fit, jets, b, -1.0, slow, row, FRAMES + 2 * n)
+        end = Pair(points[i, 0], points[i, 1]) if i < count else high
+        row[START], row[STOP], row[SIDE] = start.high, end.high, 1.0
+        first = write_frame(fit, jets, start, 1.0, slow, row, FRAMES)
+        last = write_frame(fit, jets, end, -1.0, slow, row, FRAMES + 2 * n)
         if not (first and last):
             return 0, UNDEFINED
         if n == 2:
-            call_jet(jets.address, a + (b - a) * INSIDE, jets.jet)
+            call_jet(jets.address, start.high + (end.high - start.high) * INSIDE, jets.jet)
             if forms.inflection(jets.jet[1], jets.jet[2], jets.jet[4], jets.jet[5]) < 0.0:
                 row[SIDE] = -1.0
+        start = end
     return count + 1, DONE

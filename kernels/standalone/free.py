@@ -10,7 +10,9 @@ import numpy as np
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import SCALE, dimension
 from osculant.kernels.standalone.divide import POINTS, divided, measured
-from osculant.kernels.standalone.special import JET, Jets
+from osculant.kernels.standalone.pairs import Pair
+from osculant.kernels.standalone.precise import WIDE, Jets
+from osculant.kernels.standalone.special import JET
 from osculant.kernels.standalone.stretches import (
     DONE,
     FRAMES,
@@ -29,7 +31,8 @@ SIZE, STRETCH = 9, 15
 
 @kernel
 def approximate(
-    fit: Any, address: int, longer: int, order: int, form: int, other: int, low: float, high: float,
+    fit: Any, address: int, longer: int, order: int, precise: int, sure: bool, form: int, other: int,
+    low: float, low_rest: float, high: float, high_rest: float,
     splits: np.ndarray[Any, Any], given: bool, units: np.ndarray[Any, Any], tolerance: float, number: int,
     degree: int, pieces: np.ndarray[Any, Any],
 ) -> Outcome:  # fmt: skip
@@ -40,10 +43,14 @@ def approximate(
         address: of the jet that kernels take.
         longer: that for the forms, of so many derivatives:
         order: their number.
+        precise: that in pairs (`precise.Jets`), if it is there:
+        sure: whether it is.
         form: whose zeros split the curve (`special.NO_FORM` …),
         other: and another.
         low: one end of the interval,
-        high: and the other.
+        low_rest: what the double lacks of it,
+        high: the other,
+        high_rest: and what that lacks.
         splits: special points, if they are
         given: by the caller.
         units: see `divide.measured`.
@@ -55,13 +62,16 @@ def approximate(
     width = high - low
     if not (width > 0.0 and width < math.inf and math.isfinite(low) and math.isfinite(high)):
         return Outcome(0, WRONG, 0.0, 0.0)
-    jets = Jets(address, longer, order, np.empty(JET))
+    jets = Jets(address, longer, order, precise, sure, np.empty(JET), np.empty(WIDE))
     size = np.empty(SIZE)
     if not measured(fit, jets, low, high, units, degree, size):
         return Outcome(0, UNDEFINED, 0.0, 0.0)
     columns = FRAMES + 4 * dimension(fit)
     stretches = np.empty((POINTS + 1, STRETCH)).reshape(((POINTS + 1) * STRETCH // columns, columns))
-    found, status = divided(fit, jets, form, other, low, high, splits, given, 1.0 / size[SCALE], stretches)
+    ends = Pair(low, low_rest), Pair(high, high_rest)
+    found, status = divided(
+        fit, jets, form, other, ends[0], ends[1], splits, given, 1.0 / size[SCALE], stretches
+    )
     if status != DONE:
         return Outcome(0, status, 0.0, 0.0)
     edges = np.empty((PANELS, 2))

@@ -8,7 +8,7 @@ missed, and so are zeros without a change of sign.  Cusps are where the tangent 
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -16,6 +16,8 @@ from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.generated import forms
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import dimension
+from osculant.kernels.standalone.pairs import Pair
+from osculant.kernels.standalone.precise import CUSP, Jets, polished
 
 #: panels of the grid, how often one is halved, and a form that falls below this part of its ends' in the
 #: middle may have zeros
@@ -29,15 +31,6 @@ ROUNDING = 2.0**-44
 #: the forms by number, and the doubles of the longest jets
 NO_FORM, INFLECTION, PARABOLIC, SEXTACTIC, VERTEX, SPACE_VERTEX = 0, 1, 2, 3, 4, 5
 JET = 18
-
-
-class Jets(NamedTuple):
-    """What samples the curve: the jet that kernels take, a longer one for the forms, its order, and room."""
-
-    address: int
-    longer: int
-    order: int
-    jet: np.ndarray[Any, Any]
 
 
 @kernel
@@ -100,34 +93,38 @@ def zero_between(jets: Jets, form: int, low: float, high: float, at_low: float) 
 
 
 @kernel
-def insert(points: np.ndarray[Any, Any], count: int, t: float, low: float, high: float) -> int:
+def insert(points: np.ndarray[Any, Any], count: int, at: Pair, low: float, high: float) -> int:
     """Put a parameter where it belongs among the first increasing ``points``; the new number, −1 if too many.
 
-    Ends of the interval, and what is known, are left out.
+    Ends of the interval, and what is known, are left out.  A point is a row: both parts of its parameter.
     """
-    near = TOGETHER * (high - low)
+    near, t = TOGETHER * (high - low), at.high
     if t - low <= near or high - t <= near:
         return count
     place = count
-    while place > 0 and points[place - 1] > t:
+    while place > 0 and points[place - 1, 0] > t:
         place -= 1
-    if place > 0 and t - points[place - 1] <= near:
+    if place > 0 and t - points[place - 1, 0] <= near:
         return count
-    if place < count and points[place] - t <= near:
+    if place < count and points[place, 0] - t <= near:
         return count
     if count == points.shape[0]:
         return -1
     for i in range(count, place, -1):
-        points[i] = points[i - 1]
-    points[place] = t
+        points[i, 0], points[i, 1] = points[i - 1, 0], points[i - 1, 1]
+    points[place, 0], points[place, 1] = at.high, at.low
     return count + 1
 
 
 @kernel
 def add_zeros(
-    jets: Jets, form: int, low: float, high: float, points: np.ndarray[Any, Any], count: int
-) -> int:
-    """Add the zeros of a form to the points; their new number, −1 if there are too many."""
+    fit: Any, jets: Jets, form: int, which: int, low: float, high: float, points: np.ndarray[Any, Any],
+    count: int,
+) -> int:  # fmt: skip
+    """Add the zeros of a form to the points; their new number, −1 if there are too many.
+
+    ``which`` it is in the precise jet.
+    """
     pending = np.empty((DEPTH + 2, 3))
     before, at_before = low, told(jets, form, low)
     for i in range(1, PANELS + 1):
@@ -148,7 +145,8 @@ def add_zeros(
                 open_ends += 1
                 continue
             if changes:
-                count = insert(points, count, zero_between(jets, form, before, t, at_before), low, high)
+                zero = zero_between(jets, form, before, t, at_before)
+                count = insert(points, count, polished(fit, jets, which, zero, high - low), low, high)
                 if count < 0:
                     return -1
             if value != 0.0 or at_before == 0.0:  # a sign that is not told is left to the next place
@@ -199,7 +197,8 @@ def add_cusps(fit: Any, jets: Jets, low: float, high: float, points: np.ndarray[
                     first[j] = middle[j]
             a, b = (a, t) if before else (t, b)
         if turns_back(fit, first, last):
-            count = insert(points, count, 0.5 * (a + b), low, high)
+            cusp = polished(fit, jets, CUSP, 0.5 * (a + b), high - low)
+            count = insert(points, count, cusp, low, high)
             if count < 0:
                 return -1
     return count

@@ -11,6 +11,7 @@ from osculant.codegen.c.program import Translation
 from osculant.codegen.c.types import BOOLEAN, DOUBLE, INTEGER, JET, ROW, TABLE, Known, Type
 from osculant.compiled.interface import Argument, given, signature
 from osculant.compiled.numbers import UNITS, Numbers
+from osculant.compiled.precise import precise_jet
 from osculant.version import __version__
 
 if TYPE_CHECKING:
@@ -76,12 +77,17 @@ class Approximator:
         return get_type_hints(getattr(shape, "__wrapped__", shape))["return"]
 
     @property
-    def forms(self) -> list[int]:
-        """The forms whose zeros split the curve at run time, two numbers, 0 for none."""
+    def form_names(self) -> list[str]:
+        """The forms whose zeros split the curve at run time, two at most."""
         subject, primitive = self.subject, self.fit.primitive
         names = [*primitive.splits, *(primitive.theory if self.split == "theory" else ())]
         known = FORMS[subject.dimension] if subject.coordinates is not None else {}
-        return [*(known[name] for name in names if name in known), 0, 0][:2]
+        return [name for name in names if name in known][:2]
+
+    @property
+    def forms(self) -> list[int]:
+        """Their numbers, two of them, 0 for none."""
+        return [*(FORMS[self.subject.dimension][name] for name in self.form_names), 0, 0][:2]
 
     def functions(self) -> list[tuple[str, str, list[Argument]]]:
         """(name, purpose, arguments) of the functions that are called."""
@@ -128,15 +134,17 @@ def source(wanted: Approximator, command: str) -> str:
             translation.function(stretches.for_number, [*common, INTEGER, INTEGER, TABLE]),
         ]
     else:
-        numbers: list[Type] = [INTEGER, INTEGER, INTEGER, DOUBLE, DOUBLE, ROW, BOOLEAN, ROW]
-        kinds = [record, JET, JET, *numbers, DOUBLE, INTEGER, INTEGER, TABLE]
+        forms: list[Type] = [INTEGER, JET, BOOLEAN, INTEGER, INTEGER]
+        numbers: list[Type] = [DOUBLE, DOUBLE, DOUBLE, DOUBLE, ROW, BOOLEAN, ROW]
+        kinds = [record, JET, JET, *forms, *numbers, DOUBLE, INTEGER, INTEGER, TABLE]
         entries = [translation.function(free.approximate, kinds)] * 2
     outcome = translation.c_type(entries[0].result)
+    curve = _curve(wanted, translation)
     parts = [
         title_of(wanted.subject, wanted.fit.primitive.plural, command),
         HEAD.format(name=wanted.subject.name),
         translation.text(),
-        _curve(wanted),
+        curve,
     ]
     for (name, _, arguments), entry, tolerant in zip(wanted.functions(), entries, (True, False)):
         call = _fixed_call if wanted.numbers is not None else _free_call
@@ -161,7 +169,7 @@ def title_of(about: Subject, what: str, command: str) -> str:
     )
 
 
-def _curve(wanted: Approximator) -> str:
+def _curve(wanted: Approximator, translation: Translation) -> str:
     """The jets of the formula, and of a fixed curve its numbers."""
     subject, parts = wanted.subject, []
     if subject.coordinates is not None:
@@ -173,6 +181,9 @@ def _curve(wanted: Approximator) -> str:
     if wanted.numbers is None and order > subject.dimension and subject.coordinates is not None:
         parts.append("/* The same with as many derivatives as special points take. */")
         parts.append(jet_function("longer_jet", subject.coordinates, order, subject.parameters) + "\n")
+    if wanted.numbers is None and subject.coordinates is not None:
+        parts.append("/* The derivatives 0 ... 3, and of each form value and slope, in pairs of doubles. */")
+        parts.append(precise_jet(translation, subject, wanted.form_names) + "\n")
     if wanted.numbers is not None:
         parts.append(
             "/* Of the curve: scale, noise, floor, shares, resolution, origin; stretches; features. */"
@@ -233,14 +244,17 @@ def _free_call(wanted: Approximator, entry: str, outcome: str, tolerant: bool) -
     lines = [f"const jet at = {{{'evaluate' if own else 'curve_jet'}, {parameters}}};"]
     if longer == "longer":
         lines.append(f"const jet longer = {{longer_jet, {parameters}}};")
-    ends = "low, high"
+    if not own:
+        lines.append(f"const jet precise = {{precise_jet, {parameters}}};")
+    ends = "low, 0.0, high, 0.0"
     if subject.ends is not None:
-        lines.append(f"const double low = {end_of(subject, 0)}, high = {end_of(subject, 1)};")
+        ends = ", ".join(repr(part) for which in (0, 1) for part in parts_of_end(subject, which))
     form, other = wanted.forms
     sought = "tolerance, 0" if tolerant else "0.0, number < 5000000 ? (int64_t)number : 5000000"
+    precise = "&at, false" if own else "&precise, true"
     lines.append(
-        f"const {outcome} outcome = {entry}(room, &at, &{longer}, {order}, {form}, {other}, {ends}, "
-        f"(row){{(double *)splits, splits == NULL ? 0 : (int64_t)split_count}}, splits != NULL, "
+        f"const {outcome} outcome = {entry}(room, &at, &{longer}, {order}, {precise}, {form}, {other}, "
+        f"{ends}, (row){{(double *)splits, splits == NULL ? 0 : (int64_t)split_count}}, splits != NULL, "
         f"(row){{(double *)units, {len(UNITS)}}}, {sought}, {wanted.fit.degree}, {_pieces(wanted)});"
     )
     return lines
@@ -248,8 +262,15 @@ def _free_call(wanted: Approximator, entry: str, outcome: str, tolerant: bool) -
 
 def end_of(subject: Subject, which: int) -> str:
     """An end of the interval, 0 or 1, as a double of C."""
+    return repr(parts_of_end(subject, which)[0])
+
+
+def parts_of_end(subject: Subject, which: int) -> tuple[float, float]:
+    """The nearest double to an end of the interval, 0 or 1, and what it lacks."""
     from osculant.cas.numbers.balls import PRECISION, constant, precision
 
     assert subject.ends is not None
     with precision(PRECISION):
-        return repr(float(constant(subject.ends[which]).mid()))
+        exact = constant(subject.ends[which])
+        high = float(exact.mid())
+        return high, float((exact - high).mid())

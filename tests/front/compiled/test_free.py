@@ -4,12 +4,13 @@ import ctypes
 import math
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
 import osculant as osc
-from tests.front.compiled.fixed import knots_of, needs_cc
+from tests.front.compiled.fixed import greedy, knots_of, needs_cc
 
 pytestmark = needs_cc
 
@@ -51,6 +52,25 @@ def test_a_sweep_of_many_ellipses(ellipse):
         assert np.abs(on - 1.0).max(initial=0.0) < 1e-14
 
 
+@pytest.mark.slow
+def test_a_sweep_of_a_hundred_thousand_ellipses(tmp_path):
+    """Ellipses and their mirror images take as many biarcs; some are compared with the kernels' own."""
+    module = osc.compile_approximator(
+        "a*cos(t), b*sin(t)", "biarc", 0, "2*pi", parameters="a b", folder=tmp_path
+    ).load()
+    axes = np.random.default_rng(8).uniform(0.5, 5.0, (50_000, 2))
+    counts = [(len(module.approximate(a, b, 1e-3)), len(module.approximate(b, a, 1e-3))) for a, b in axes]
+    assert all(one == other and one % 4 == 0 for one, other in counts)
+    assert len(set(counts)) == 4
+    for a, b in axes[::250]:
+        formula = f"({Fraction(a)})*cos(t), ({Fraction(b)})*sin(t)"
+        knots, errors = greedy((formula, 0, "2*pi"), "biarc", 1e-3)
+        pieces = module.approximate(a, b, 1e-3)
+        assert len(pieces) == len(errors)
+        assert np.abs(knots_of(pieces) - knots).max() <= 1e-12
+        assert np.abs(pieces["error"] - errors).max() <= 1e-12
+
+
 def test_two_threads_find_the_same_bits(ellipse):
     def work(shift):
         return [ellipse.approximate(0.0, 6.0, 2.0 + i % 7, 1.0, 1e-6).tobytes() for i in range(60)]
@@ -76,6 +96,42 @@ def test_free_intervals_have_as_many_pieces(tmp_path, formula, primitive, low, h
         pieces = module.approximate(low, high, tolerance)
         assert len(pieces) == len(spline)
         assert np.abs(knots_of(pieces) - np.array(spline.knots)).max() < 1e-10
+
+
+WAVE, TUBE = "t, {a}*sin(t)+{b}*exp(-t)", "2*cos({a}*t), {b}*sin(t), t/5"
+#: formula, primitive, and its constants and interval; the first has a cusp and special points, others a few
+SAME = [
+    ("{a}*t^2, t^3+{b}*t^4", "conic", (0.7, 0.3, -1.0, 1.2)),
+    ("t*cos({a}*t), {b}*sin(t)", "conic", (1.1, 2.0, 0.5, 6.0)),
+    (WAVE, "parabola", (0.3, 0.7, -1.0, 6.0)),
+    ("{a}*cos(t), {b}*sin(t)", "biarc", (1.3, 0.7, 0.2, 6.1)),
+    (TUBE, "bihelix", (1.0, 0.8, 0.5, 6.0)),
+    ("t, {a}/({b}+t^2)", "polygon", (1.0, 0.04, -1.0, 1.0)),
+    (WAVE, "cubic", (0.3, 0.7, -1.0, 6.0)),
+    ("exp({a}*t)*cos(t), log(3+{b}*sin(t))*atan(t)", "conic", (0.2, 0.9, 0.1, 7.0)),
+]
+
+
+@pytest.mark.parametrize(("formula", "primitive", "at"), SAME)
+def test_knots_are_those_of_the_kernels(tmp_path, formula, primitive, at):
+    """To the last bit, also where rounding moves knots, if Python has the same curve.
+
+    Only features are seen otherwise: on coarse arcs samples may be at other places.
+    """
+    a, b, low, high = at
+    module = osc.compile_approximator(
+        formula.format(a="a", b="b"), primitive, parameters="a b", folder=tmp_path
+    ).load()
+    exact = formula.format(a=f"({Fraction(a)})", b=f"({Fraction(b)})")
+    same = 0
+    for tolerance in (1e-2, 1e-4, 1e-6, 1e-7) if primitive != "cubic" else (1e-3, 1e-6):
+        knots, errors = greedy((exact, Fraction(low), Fraction(high)), primitive, tolerance)
+        pieces = module.approximate(low, high, a, b, tolerance)
+        assert len(pieces) == len(errors)
+        assert np.abs(knots_of(pieces) - knots).max() <= 1e-12 * max(abs(low), abs(high))
+        same += knots_of(pieces).tolist() == knots.tolist()
+        assert np.abs(pieces["error"] - errors).max() <= max(1e-9 * tolerance, 1e-15)
+    assert same >= 1
 
 
 def test_special_points_are_taken_from_the_caller(ellipse):
