@@ -8,6 +8,7 @@ READY := .venv/.ready
 
 demo: $(READY)
 	@mkdir -p out
+	@$(BIN)/python -m osculant.compiled.prebuilt kernels/libraries conics curves enclosures
 	$(BIN)/osculant approximate "t*cos(t), t*sin(t)" --from pi/6 --to 2*pi \
 		--with conic --tolerance 1e-6 --write out/spiral.svg
 

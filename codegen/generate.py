@@ -255,7 +255,7 @@ def constants_module() -> str:
             rest -= sp.Rational(part)
         lines.append(f"{name} = ({', '.join(map(repr, parts))})")
     title = "Generated from sympy's π and log 2 by codegen.generate; do not edit."
-    note = "Each is the sum of three doubles, the first two with few digits, so that multiples are exact."
+    note = "Each is a + b + c, three doubles, the first two with few digits, so that multiples are exact."
     return f'"""{title}\n\n{note}\n"""\n\n\n' + "\n".join(lines) + "\n"
 
 

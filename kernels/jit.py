@@ -1,27 +1,27 @@
 """The one decorator of all kernels, and where their machine code is kept.
 
-A kernel is compiled when it is first called: nogil, IEEE semantics (no fastmath).  Kernels called by kernels
-become part of their callers, without the wrappers that Python needs; what Python calls is kept on disk, in a
-folder for each family.  numba's cache does not notice that a callee in another file changed, so the folder's
-name carries a hash of all sources of the family's code: an edit recompiles the families that it touches.
+What Python calls is taken from a library that was built before (`osculant.kernels.prebuilt`), if there is one
+that fits; numba is not even imported then.  Else a kernel is compiled when it is first called: nogil, IEEE
+semantics (no fastmath).  Kernels called by kernels become part of their callers, without the wrappers that
+Python needs; what Python calls is kept on disk, in a folder for each family.  numba's cache does not notice
+that a callee in another file changed, so the folder's name carries a hash of all sources of the family's
+code: an edit recompiles the families that it touches.
 """
 
 from __future__ import annotations
 
-import hashlib
 import os
 import re
 import shutil
 import tempfile
 import time
-from collections.abc import Callable, Iterable
-from functools import cache, update_wrapper
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from functools import cache, cached_property, update_wrapper
 from pathlib import Path
-from typing import Any, TypeVar, cast
+from typing import Any, Protocol, TypeVar, cast
 
-import numba
-import platformdirs
-from numba.core import config, event
+from osculant.kernels.prebuilt import face_of, hashed
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -39,7 +39,46 @@ IMPORTS = re.compile(rf"^ *from ({re.escape(PACKAGE)}[\w.]*) import (\([^)]*\)|[
 
 def cache_root() -> Path:
     """The user's cache folder of osculant (``OSCULANT_CACHE`` overrides it)."""
-    return Path(os.environ.get("OSCULANT_CACHE") or platformdirs.user_cache_dir("osculant"))
+    if chosen := os.environ.get("OSCULANT_CACHE"):
+        return Path(chosen)
+    import platformdirs
+
+    return Path(platformdirs.user_cache_dir("osculant"))
+
+
+#: what is to be told numba as soon as it is there
+_waiting: list[Callable[[], None]] = []
+
+
+@cache
+def numba() -> Any:
+    """The compiler, imported when it is first needed."""
+    import numba
+    from numba.core import event
+
+    class Listener(event.Listener):
+        """Passes on when numba compiles."""
+
+        def on_start(self, happening: Any) -> None:
+            for watch in tuple(_watches):
+                watch.begun()
+
+        def on_end(self, happening: Any) -> None:
+            for watch in tuple(_watches):
+                watch.ended()
+
+    event.register("numba:compile", Listener())  # type: ignore[no-untyped-call]
+    while _waiting:
+        _waiting.pop(0)()
+    return numba
+
+
+def when_numba_is_there(call: Callable[[], None]) -> None:
+    """Call ``call`` before numba is first used, at once if it was."""
+    if numba.cache_info().currsize:
+        call()
+    else:
+        _waiting.append(call)
 
 
 def kernel(function: Function) -> Function:
@@ -57,8 +96,12 @@ class Kernel:
     def __init__(self, function: Callable[..., Any]) -> None:
         update_wrapper(self, function)
         self._function = function
-        self._bare = numba.njit(**BARE)(function)
         self._faces: dict[type, Any] = {}
+
+    @cached_property
+    def _bare(self) -> Any:
+        """Its machine code inside kernels."""
+        return numba().njit(**BARE)(self._function)
 
     @property
     def _numba_type_(self) -> Any:
@@ -73,20 +116,24 @@ class Kernel:
             return face(*args)
         except Exception:  # kernels raise nothing: damaged entries of the cache raise whatever pickle does,
             # before anything was computed; what is no fault of theirs is raised again
-            self._faces[first] = numba.njit(**OPTIONS)(self._function)
+            self._faces[first] = numba().njit(**OPTIONS)(self._function)
             return self._faces[first](*args)
 
     def _face(self, first: type) -> Any:
-        """The machine code that Python calls with such a first argument, from disk if it is there."""
-        settings: Any = config  # numba's settings, filled in at run time
+        """The machine code that Python calls with such a first argument: prebuilt, from disk, or made now."""
+        family = family_of(self.__module__, first.__module__)
+        self._faces[first] = face_of(family, self, first) or self._compiled(family)
+        return self._faces[first]
+
+    def _compiled(self, family: str) -> Any:
+        """What numba compiles, or finds on disk."""
+        settings: Any = numba().core.config  # numba's settings, filled in at run time
         before = settings.CACHE_DIR
-        settings.CACHE_DIR = str(folder_of(family_of(self.__module__, first.__module__)))
+        settings.CACHE_DIR = str(folder_of(family))
         try:
-            face = numba.njit(cache=True, **OPTIONS)(self._function)
+            return numba().njit(cache=True, **OPTIONS)(self._function)
         finally:
             settings.CACHE_DIR = before
-        self._faces[first] = face
-        return face
 
 
 def sources(modules: Iterable[str]) -> list[Path]:
@@ -132,11 +179,8 @@ def modules_of(family: str) -> list[str]:
 
 
 def fingerprint(family: str) -> str:
-    """A hash of all sources of a family's machine code."""
-    digest = hashlib.sha256(numba.__version__.encode())
-    for path in sources(modules_of(family)):
-        digest.update(path.read_bytes())
-    return digest.hexdigest()[:16]
+    """A hash of all sources of a family's machine code, and of the version of numba."""
+    return hashed(numba().__version__, sources(modules_of(family)))
 
 
 @cache
@@ -157,22 +201,45 @@ def folder_of(family: str) -> Path:
         return Path(tempfile.mkdtemp(prefix="osculant-"))
 
 
-class _Listener(event.Listener):
-    """Calls once, when numba compiles for the first time."""
+class Watch(Protocol):
+    """What wants to know when kernels are compiled."""
 
-    def __init__(self, call: Callable[[], None]) -> None:
-        self.call: Callable[[], None] | None = call
+    def begun(self) -> None:
+        """A kernel, or one that it calls, is being compiled."""
 
-    def on_start(self, happening: event.Event) -> None:
+    def ended(self) -> None:
+        """It is done."""
+
+
+_watches: list[Watch] = []
+
+
+@contextmanager
+def watching(watch: Watch) -> Iterator[None]:
+    """Tell a watch of what is compiled meanwhile."""
+    _watches.append(watch)
+    try:
+        yield
+    finally:
+        _watches.remove(watch)
+
+
+class _Notice:
+    """Calls once, when something is compiled for the first time."""
+
+    call: Callable[[], None] | None = None
+
+    def begun(self) -> None:
         call, self.call = self.call, None
         if call is not None:
             call()
 
-    def on_end(self, happening: event.Event) -> None:
-        """Nothing: the start is told."""
+    def ended(self) -> None:
+        """Nothing: the beginning is told."""
 
 
-_listeners: list[_Listener] = []
+_NOTICE = _Notice()
+_watches.append(_NOTICE)
 
 
 def when_compiling(call: Callable[[], None]) -> None:
@@ -180,14 +247,11 @@ def when_compiling(call: Callable[[], None]) -> None:
 
     It takes the place of what was to be called before.
     """
-    if not _listeners:
-        _listeners.append(_Listener(call))
-        event.register("numba:compile", _listeners[0])  # type: ignore[no-untyped-call]
-    _listeners[0].call = call
+    _NOTICE.call = call
 
 
-class CompileClock(event.Listener):
-    """A watch that runs while kernels are compiled, as numba tells it.
+class CompileClock:
+    """A `Watch` that runs while kernels are compiled.
 
     >>> clock = CompileClock()
     >>> clock.running, clock.seconds
@@ -197,13 +261,13 @@ class CompileClock(event.Listener):
     def __init__(self) -> None:
         self._open, self._since, self._before = 0, 0.0, 0.0
 
-    def on_start(self, happening: event.Event) -> None:
+    def begun(self) -> None:
         """A kernel, or one that it calls."""
         if not self._open:
             self._since = time.perf_counter()
         self._open += 1
 
-    def on_end(self, happening: event.Event) -> None:
+    def ended(self) -> None:
         """The same."""
         self._open -= 1
         if not self._open:

@@ -13,9 +13,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeVar, cast
 
-from numba.extending import overload
-
-from osculant.kernels.jit import BARE
+from osculant.kernels.jit import BARE, when_numba_is_there
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -37,7 +35,12 @@ def operation(stub: Function) -> Function:
             return lambda fit: chosen
         return cast(Callable[..., Any], getattr(chosen, "__wrapped__", chosen))  # of a kernel the function
 
-    overload(stub, strict=False, jit_options=BARE)(choose)
+    def attach() -> None:
+        from numba.extending import overload
+
+        overload(stub, strict=False, jit_options=BARE)(choose)
+
+    when_numba_is_there(attach)
     _OPERATIONS[stub.__name__] = stub
     return stub
 

@@ -36,8 +36,6 @@ from osculant.cas.numbers.power_series import PowerSeries
 #: Taylor coefficients of the curve over its tangent, and the free coefficients of the cubic's x
 Y = Y2, Y3, Y4, Y5, Y6 = sp.symbols("Y2:7", real=True)
 a, b = sp.symbols("a b", real=True)
-#: contacts of the cubic with a short arc
-CONTACTS = 6
 #: c, or its square root, and the place over the arc, the arc's middle being 0 and its length 1
 SPREAD, ROOT, PLACE = sp.symbols("c z y", real=True)
 

@@ -14,7 +14,8 @@ from typing import Any
 import mpmath as mp
 from flint import arb
 
-from osculant.cas.asymptotics.hermite_cubics import CONTACTS, affine_jet, branches
+from osculant.cas.asymptotics.contacts import CONTACTS
+from osculant.cas.asymptotics.hermite_cubics import affine_jet, branches
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.numbers.balls import PRECISION, precision

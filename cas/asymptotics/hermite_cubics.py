@@ -21,6 +21,7 @@ from typing import Any
 
 import sympy as sp
 
+from osculant.cas.asymptotics.contacts import CONTACTS
 from osculant.cas.errors import DomainError
 from osculant.cas.jets.canonical import affine_graph
 from osculant.cas.jets.plane import PlaneJet
@@ -30,8 +31,6 @@ from osculant.cas.numbers.power_series import PowerSeries
 k, k1, k2, a = sp.symbols("k k1 k2 a", real=True)
 #: the blown-up first tangent length
 z = sp.Symbol("z", real=True)
-#: contacts: three at each end
-CONTACTS = 6
 #: two solutions whose discriminant is below this part of its terms are taken for a double one
 SINGULAR = 1e-20
 

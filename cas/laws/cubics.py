@@ -9,16 +9,18 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cache, partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from osculant.cas.asymptotics import free_cubics
+from osculant.cas.asymptotics.contacts import CONTACTS
 from osculant.cas.errors import UndecidedError
 from osculant.cas.jets.plane import PlaneJet
 from osculant.cas.laws.law import Law
-from osculant.cas.numbers.algebraic import Algebraic
+
+if TYPE_CHECKING:
+    from osculant.cas.numbers.algebraic import Algebraic
 
 #: the jet that (D) takes
-ORDER = free_cubics.CONTACTS
+ORDER = CONTACTS
 #: Newton steps from isolated roots, which have some 30 bits; each doubles them
 STEPS = 5
 
@@ -32,10 +34,12 @@ def residuals(jet: PlaneJet) -> list[Any]:
     >>> [round(float(value) * 128 * 2**5, 6) for value in residuals(circle)]
     [64.0, 1.0, 64.0]
     """
+    from osculant.cas.asymptotics.free_cubics import tangent_graph
+
     jet.point(ORDER)  # refuses shorter ones
     factorials = [math.factorial(n) for n in range(ORDER + 1)]
     x, y = ([c / f for c, f in zip(row, factorials)] for row in jet.coordinates)
-    heights = [c.mid() for c in free_cubics.tangent_graph(x, y, lambda value: jet.root(value, 2))]
+    heights = [c.mid() for c in tangent_graph(x, y, lambda value: jet.root(value, 2))]
     unit = _unit(heights)
     heights = [height / unit ** (n + 1) for n, height in enumerate(heights)]
     condition, thirds, residual = _compiled()
@@ -105,6 +109,8 @@ def _compiled() -> Any:
     """Functions of numbers: coefficients of (C), both quotients that are b, and D."""
     import sympy as sp
 
+    from osculant.cas.asymptotics import free_cubics
+
     contact, heights = free_cubics.contact(), free_cubics.Y
     options: dict[str, Any] = {"modules": [{}]}
     thirds = [sp.fraction(sp.together(third)) for third in contact.third()]
@@ -132,6 +138,8 @@ def branch(jet: PlaneJet) -> tuple[int, int, bool]:
 
 
 def _constant(name: str) -> Algebraic:
+    from osculant.cas.asymptotics import free_cubics
+
     value: Algebraic = getattr(free_cubics, name)()
     return value
 

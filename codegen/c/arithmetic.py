@@ -12,6 +12,9 @@ from osculant.codegen.c.values import expression, plain, translates
 #: operators of C that do what Python's do, and how tightly they bind
 ARITHMETIC = {ast.Add: ("+", PLUS), ast.Sub: ("-", PLUS), ast.Mult: ("*", TIMES), ast.Div: ("/", TIMES)}
 
+#: and those of bits
+BITS = {ast.BitAnd: "&", ast.BitOr: "|", ast.LShift: "<<"}
+
 
 @translates(ast.UnaryOp)
 def _unary(scope: Scope, node: ast.UnaryOp) -> Value:
@@ -21,6 +24,8 @@ def _unary(scope: Scope, node: ast.UnaryOp) -> Value:
         return Value("", Known(negated, f"-{value.type.name}" if value.type.name else ""))
     if isinstance(node.op, ast.Not):
         return Value(f"!{value.within(UNARY)}", BOOLEAN, UNARY)
+    if isinstance(node.op, ast.Invert):
+        return Value(f"~{value.within(UNARY)}", INTEGER, UNARY)
     space = " " if value.text.startswith("-") else ""
     return Value(f"-{space}{value.within(UNARY)}", value.type, UNARY)
 
@@ -34,6 +39,8 @@ def _binary(scope: Scope, node: ast.BinOp) -> Value:
         return Value("", Known(_folded(node.op, left.type.value, right.type.value)))
     a, b = plain(scope, left), plain(scope, right)
     kind = unify(unify(a.type, b.type), INTEGER)
+    if type(node.op) in BITS:
+        return Value(f"((int64_t){a.within(UNARY)} {BITS[type(node.op)]} {b.within(UNARY)})", INTEGER)
     if isinstance(node.op, (ast.FloorDiv, ast.Mod)):
         if kind is not INTEGER:
             raise TranslationError(f"Not translated: {ast.unparse(node)}.")

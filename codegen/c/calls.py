@@ -162,8 +162,8 @@ def _passed(kind: Any) -> Any:
 
 KNOWN: dict[Any, Translator] = {
     **{getattr(math, name): _of_libm(name) for name in (
-        "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log",
-        "copysign", "hypot",
+        "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh",
+        "acosh", "atanh", "exp", "log", "copysign", "hypot",
     )},
     **{getattr(math, name): _predicate(name) for name in ("isnan", "isinf", "isfinite")},
     math.ceil: _rounded("ceil"), math.floor: _rounded("floor"), builtins.int: _rounded(""),

@@ -21,6 +21,8 @@ def _compare(scope: Scope, node: ast.Compare) -> Value:
     left, parts, folded = expression(scope, node.left), [], True
     for i, (operator, other) in enumerate(zip(node.ops, node.comparators)):
         right = expression(scope, other)
+        if isinstance(operator, (ast.In, ast.NotIn)):
+            return _among(scope, left, right, isinstance(operator, ast.In))
         if isinstance(left.type, Known) and isinstance(right.type, Known):
             if not _holds(operator, left.type.value, right.type.value):
                 return Value("", Known(False))
@@ -33,6 +35,17 @@ def _compare(scope: Scope, node: ast.Compare) -> Value:
             parts.append(Value(f"{a.within(PLUS)} {sign} {b.within(PLUS)}", BOOLEAN, binds))
         left = right
     return Value("", Known(True)) if folded else _joined(parts, "&&", AND)
+
+
+def _among(scope: Scope, value: Value, others: Value, wanted: bool) -> Value:
+    """Whether a number is one of some constants, or is not."""
+    assert isinstance(others.type, Known)
+    if isinstance(value.type, Known):
+        return Value("", Known((value.type.value in others.type.value) is wanted))
+    value = value if value.text.isidentifier() else scope.temporary(value)
+    sign, joint, binds = ("==", "||", OR) if wanted else ("!=", "&&", AND)
+    texts = [f"{value.text} {sign} {literal(scope, Known(other)).text}" for other in others.type.value]
+    return Value(f" {joint} ".join(texts), BOOLEAN, binds)
 
 
 def _holds(operator: ast.cmpop, a: Any, b: Any) -> bool:

@@ -39,6 +39,8 @@ PRELUDE = """\
 typedef struct { double *p; int64_t n; } row;
 typedef struct { double *p; int64_t n, stride; } column;
 typedef struct { double *p; int64_t n, m; } table;
+typedef struct { int64_t *p; int64_t n; } integers;
+typedef struct { int64_t *p; int64_t n, m; } integer_table;
 typedef struct {
     void (*evaluate)(double t, const double *parameters, double *out);
     const double *parameters;
@@ -151,7 +153,7 @@ class Translation:
         """What an operation does for the record that is its first argument; all else is itself."""
         plain = getattr(function, "__wrapped__", function)
         name = getattr(plain, "__name__", "")
-        if name == "_call_address":
+        if name == "call_jet":
             return calls.JET
         if self._stubs.get(name) is not plain:
             return plain
@@ -166,7 +168,11 @@ class Translation:
             raise TranslationError(
                 f"The function {getattr(function, '__name__', function)} is not translated."
             )
-        key = (function, *(kind.value if isinstance(kind, Known) else kind for kind in kinds))
+        # records without fields are equal tuples: their types tell them apart
+        key = (
+            function,
+            *((type(kind.value), kind.value) if isinstance(kind, Known) else kind for kind in kinds),
+        )
         if key not in self._functions:
             self._functions[key] = self._translated(function, kinds)
         return self._functions[key]

@@ -10,6 +10,7 @@ from osculant.codegen.c.types import (
     DOUBLE,
     INTEGER,
     NOTHING,
+    ROW,
     Known,
     Struct,
     TranslationError,
@@ -19,6 +20,9 @@ from osculant.codegen.c.types import (
     unify,
 )
 from osculant.codegen.c.values import convert, expression, known, literal, part_of, plain
+
+#: what is done to every number of a row
+SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 
 
 def body(scope: Scope, nodes: Sequence[ast.stmt]) -> bool:
@@ -93,7 +97,9 @@ def _for(scope: Scope, node: ast.For) -> None:
         if function is range:
             return _range(scope, node, node.iter.args)
         if function is enumerate:
-            return _over(scope, node.iter.args[0], node.target, node.body)
+            assert isinstance(node.target, ast.Tuple)
+            index, target = node.target.elts
+            return _over(scope, node.iter.args[0], target, node.body, index)
     return _over(scope, node.iter, node.target, node.body)
 
 
@@ -118,8 +124,14 @@ def _range(scope: Scope, node: ast.For, bounds: Sequence[ast.expr]) -> None:
         body(scope, node.body)
 
 
-def _over(scope: Scope, iterable: ast.expr, target: ast.expr, inside: Sequence[ast.stmt]) -> None:
-    """A loop over the parts of a tuple, with their indices if the target is a pair."""
+def _over(
+    scope: Scope,
+    iterable: ast.expr,
+    target: ast.expr,
+    inside: Sequence[ast.stmt],
+    index: ast.expr | None = None,
+) -> None:
+    """A loop over the parts of a tuple, with their indices if they are wanted."""
     whole = expression(scope, iterable)
     if isinstance(whole.type, Known):
         parts = [literal(scope, Known(value)) for value in whole.type.value]
@@ -135,16 +147,28 @@ def _over(scope: Scope, iterable: ast.expr, target: ast.expr, inside: Sequence[a
     inner = ", ".join(part.text for part in parts)
     scope.emit(f"const {scope.translation.c_type(kind)} {items}[] = {{{inner}}};")
     with scope.block(f"for (int64_t {counter} = 0; {counter} < {len(parts)}; {counter}++)"):
-        if isinstance(target, ast.Tuple):
-            _store(scope, target.elts[0], Value(counter, INTEGER))
-            target = target.elts[1]
+        if index is not None:
+            _store(scope, index, Value(counter, INTEGER))
         _store(scope, target, Value(f"{items}[{counter}]", kind))
         body(scope, inside)
 
 
 def _augmented(scope: Scope, node: ast.AugAssign) -> None:
     load = ast.parse(ast.unparse(node.target), mode="eval").body
-    _assign(scope, [node.target], ast.BinOp(load, node.op, node.value))
+    if isinstance(node.target, ast.Name) and scope.types.get(node.target.id) is ROW:
+        _each(scope, load, node)
+    else:
+        _assign(scope, [node.target], ast.BinOp(load, node.op, node.value))
+
+
+def _each(scope: Scope, row: ast.expr, node: ast.AugAssign) -> None:
+    """row *= factor: every number of a row."""
+    name = expression(scope, row).text
+    scope.serial += 1
+    counter = f"i{scope.serial}_"
+    factor = scope.temporary(plain(scope, expression(scope, node.value)))
+    with scope.block(f"for (int64_t {counter} = 0; {counter} < {name}.n; {counter}++)"):
+        scope.emit(f"{name}.p[{counter}] {SIGNS[type(node.op)]}= {factor.text};")
 
 
 def _assign(scope: Scope, targets: Sequence[ast.expr], node: ast.expr) -> None:

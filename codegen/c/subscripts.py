@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from osculant.codegen.c.scope import ATOM, PLUS, TIMES, Scope, Value
 from osculant.codegen.c.types import (
     COLUMN,
-    DOUBLE,
     INTEGER,
     ROW,
+    ROWS,
     TABLE,
     Array,
     Known,
@@ -79,12 +79,13 @@ def _of_array(scope: Scope, whole: Value, indices: Sequence[ast.expr]) -> Value:
         return Value(
             f"(row){{{text}.p + {start}, {stop} - {start}}}" if first else f"(row){{{text}.p, {stop}}}", ROW
         )
-    if whole.type is not TABLE:
+    assert isinstance(whole.type, Array)
+    if whole.type not in ROWS:
         place = _place(scope, indices[0], f"{text}.n")
         step = f"{place.within(TIMES)} * {text}.stride" if whole.type is COLUMN else place.text
-        return Value(f"{text}.p[{step}]", DOUBLE)
+        return Value(f"{text}.p[{step}]", whole.type.of)
     first = indices[0]
-    if isinstance(first, ast.Slice):
+    if isinstance(first, ast.Slice) and whole.type is TABLE:
         if len(indices) == 2 and first.lower is first.upper is None:
             column = _place(scope, indices[1], f"{text}.m")
             return Value(f"(column){{{text}.p + {column.within(PLUS)}, {text}.n, {text}.m}}", COLUMN)
@@ -94,9 +95,10 @@ def _of_array(scope: Scope, whole: Value, indices: Sequence[ast.expr]) -> Value:
         raise TranslationError("Of slices only whole columns and the first rows are translated.")
     row = _place(scope, first, f"{text}.n")
     if len(indices) == 1:
-        return Value(f"(row){{{text}.p + {row.within(TIMES)} * {text}.m, {text}.m}}", ROW)
+        kind = ROWS[whole.type]
+        return Value(f"({kind.c}){{{text}.p + {row.within(TIMES)} * {text}.m, {text}.m}}", kind)
     column = _place(scope, indices[1], f"{text}.m")
-    return Value(f"{text}.p[{row.within(TIMES)} * {text}.m + {column.within(PLUS)}]", DOUBLE)
+    return Value(f"{text}.p[{row.within(TIMES)} * {text}.m + {column.within(PLUS)}]", whole.type.of)
 
 
 def _shape(scope: Scope, node: ast.expr, axis: int) -> Value:

@@ -22,7 +22,7 @@ RESERVED = frozenset(
         """
         auto bool break case char const continue default do double else enum extern float for goto if inline
         int long register restrict return short signed sizeof static struct switch typedef union unsigned void
-        while row column table jet room y0 y1 yn j0 j1 jn gamma index
+        while row column table integers integer_table jet room y0 y1 yn j0 j1 jn gamma index
         """,
     )
 )
@@ -51,12 +51,16 @@ NOTHING, JET = Scalar("void"), Scalar("const jet *")
 
 @dataclass(frozen=True)
 class Array:
-    """An array of doubles: "row" (contiguous), "column" (with a stride) or "table" (rows of one length)."""
+    """An array of numbers: "row" (contiguous), "column" (with a stride) or "table" (rows of one length)."""
 
     c: str
+    of: Scalar = DOUBLE
 
 
 ROW, COLUMN, TABLE = Array("row"), Array("column"), Array("table")
+INTEGERS, INTEGER_TABLE = Array("integers", INTEGER), Array("integer_table", INTEGER)
+#: what a row of a table is
+ROWS = {TABLE: ROW, INTEGER_TABLE: INTEGERS}
 
 
 @dataclass(frozen=True)

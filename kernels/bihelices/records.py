@@ -22,10 +22,11 @@ from osculant.kernels.bihelices.balance import (
     is_straight,
     with_all_peaks,
 )
-from osculant.kernels.bihelices.family import EQUIOSCILLATING
+from osculant.kernels.bihelices.family import EQUIOSCILLATING, THESIS
 from osculant.kernels.bihelices.helix import HELIX_SIZE, moved, write_helix
 from osculant.kernels.curves.arc_length import Lengths, measure_lengths, workspace
 from osculant.kernels.curves.space import IN_SPACE, Frame, Source, frenet_at
+from osculant.kernels.generated import laws
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import SHAPE, TURNING, Rules, register
 
@@ -46,6 +47,14 @@ class Bihelix(NamedTuple):
 
     rule: int = EQUIOSCILLATING
     order: float = 3.0
+
+
+#: what a record may say
+VARIANTS = [
+    (rule, float(order))
+    for rule in (EQUIOSCILLATING, THESIS)
+    for order in (laws.BIHELIX_ORDER, laws.LEVEL_BIHELIX_ORDER)
+]
 
 
 class State(NamedTuple):

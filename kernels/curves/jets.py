@@ -6,16 +6,36 @@ from collections.abc import Callable
 from typing import Any, cast
 
 import numpy as np
-from llvmlite import ir
-from numba import types
-from numba.extending import intrinsic
 
-from osculant.kernels.jit import kernel
+from osculant.kernels.jit import kernel, when_numba_is_there
 
 
-@intrinsic
-def _call_address(typing: Any, address: Any, t: Any, out: Any) -> Any:
-    """Call the machine code at ``address`` with (t, pointer to the data of ``out``)."""
+class _JetCall:
+    """What calls the machine code at an address: an intrinsic of numba's, made when that is there."""
+
+    __name__ = "call_jet"
+
+    def __init__(self) -> None:
+        self._intrinsic: Any = None
+        when_numba_is_there(self._attach)
+
+    def _attach(self) -> None:
+        from numba.extending import intrinsic
+
+        self._intrinsic = intrinsic(_call)
+
+    @property
+    def _numba_type_(self) -> Any:
+        """What numba takes it for inside a kernel."""
+        from numba.core.registry import cpu_target
+
+        return cpu_target.typing_context.resolve_value_type(self._intrinsic)
+
+
+def _call(typing: Any, address: Any, t: Any, out: Any) -> Any:
+    """Call ``void(double t, double *out)`` at the address with the data of an array."""
+    from llvmlite import ir
+    from numba import types
 
     def emit(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         double = ir.DoubleType()
@@ -28,8 +48,8 @@ def _call_address(typing: Any, address: Any, t: Any, out: Any) -> Any:
     return types.void(types.int64, types.float64, out), emit
 
 
-#: (address, t, out): evaluate a compiled jet; numba supplies the intrinsic's first argument
-call_jet = cast(Callable[[int, float, np.ndarray[Any, Any]], None], _call_address)
+#: (address, t, out): evaluate a compiled jet; inside kernels only
+call_jet = cast(Callable[[int, float, np.ndarray[Any, Any]], None], _JetCall())
 
 
 @kernel

@@ -104,6 +104,12 @@ def alone(address: int, place: Place) -> Source:
 
 
 @kernel
+def frame_at(address: int, place: Place, t: float) -> Frame:
+    """The frame at t of the curve whose compiled jet is at the address."""
+    return frame(alone(address, place), t)
+
+
+@kernel
 def frame_of(fit: Any, source: Source, t: float) -> Frame:
     """`frame` for any fit."""
     return frame(source, t)

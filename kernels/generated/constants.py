@@ -1,6 +1,6 @@
 """Generated from sympy's π and log 2 by codegen.generate; do not edit.
 
-Each is the sum of three doubles, the first two with few digits, so that multiples are exact.
+Each is a + b + c, three doubles, the first two with few digits, so that multiples are exact.
 """
 
 

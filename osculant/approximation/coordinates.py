@@ -95,8 +95,8 @@ class Coordinates:
     def frame_at(self, t: float, place: Place) -> Local:
         """The frame of the curve at t in the kernels' coordinates."""
         if isinstance(place, plane.Place):
-            return plane.frame(plane.alone(self.curve.compiled.address, place), t)
-        return space.frame(space.alone(self.curve.compiled.address, place), t)
+            return plane.frame_at(self.curve.compiled.address, place, t)
+        return space.frame_at(self.curve.compiled.address, place, t)
 
     def user_frame(self, t: float, place: Place) -> Frame:
         """The frame of the curve at t in the user's."""

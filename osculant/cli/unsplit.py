@@ -61,9 +61,7 @@ def pieces_unsplit(curve: Any, spline: Spline, seconds: float = LONG, **wanted: 
 @contextmanager
 def _within(seconds: float) -> Iterator[None]:
     """Raises `_TooLongError` in what takes longer; at once where there is no way to stop that."""
-    from numba.core import event
-
-    from osculant.kernels.jit import CompileClock
+    from osculant.kernels.jit import CompileClock, watching
 
     if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         raise _TooLongError
@@ -76,7 +74,7 @@ def _within(seconds: float) -> Iterator[None]:
     before = signal.signal(signal.SIGALRM, look)
     signal.setitimer(signal.ITIMER_REAL, min(seconds, TICK), TICK)
     try:
-        with event.install_listener("numba:compile", compiling):
+        with watching(compiling):
             yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)

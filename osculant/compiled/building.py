@@ -73,7 +73,7 @@ def build(
         with tempfile.TemporaryDirectory(prefix=f".{name}-", dir=target) as temporary:
             for file, text in texts.items():
                 (Path(temporary) / file).write_text(text, encoding="utf-8")
-            _run([*command, *flags, "-o", library, f"{name}.c", "-lm"], temporary, command[0])
+            run([*command, *flags, "-o", library, f"{name}.c", "-lm"], temporary, command[0])
             for file in (*texts, library):
                 os.replace(Path(temporary) / file, target / file)
     except OSError as error:
@@ -86,7 +86,8 @@ def build(
     return target / library
 
 
-def _run(command: list[str], folder: str, name: str) -> None:
+def run(command: list[str], folder: str, name: str) -> None:
+    """Run a compiler in a folder; raises OsculantError if it fails."""
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=PATIENCE)
     except subprocess.TimeoutExpired:

@@ -8,9 +8,9 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
+from osculant.cas.asymptotics.contacts import CONTACTS
 from osculant.cas.asymptotics.g2_cubics import displacement, g2_cubics
 from osculant.cas.asymptotics.hermite_cubics import (
-    CONTACTS,
     a,
     blown_up_system,
     branches,
