@@ -140,7 +140,7 @@ def sources(modules: Iterable[str]) -> list[Path]:
     """The files of kernels that code in these modules is made from, themselves among them, in order.
 
     >>> [path.stem for path in sources(["osculant.kernels.curves.vectors"])]
-    ['vectors', 'jit']
+    ['vectors', 'jit', 'prebuilt']
     """
     found: dict[Path, None] = {}
     pending = list(modules)

@@ -18,11 +18,10 @@ from mpmath import mp
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.expression import Node
 from osculant.cas.formulas.parser import parse_tuple
+from osculant.cas.geometry.vectors import Vector, bracket
 from osculant.cas.numbers.fields import Multiprecision
 from osculant.cas.numbers.roots import root_between
 from osculant.cas.numbers.taylor import program
-
-Vector = tuple[Any, Any]
 
 #: inner samples between which peaks and crossings are looked for
 SAMPLES = 40
@@ -38,15 +37,6 @@ def _real(value: Any, what: str) -> Any:
         raise DomainError(
             f"{what} {value!r} is not a real number: give a float or an mpmath number."
         ) from None
-
-
-def bracket(v: Vector, w: Vector) -> Any:
-    """The determinant [v, w].
-
-    >>> bracket((1, 0), (3, 2))
-    2
-    """
-    return v[0] * w[1] - v[1] * w[0]
 
 
 class ReferenceCurve:

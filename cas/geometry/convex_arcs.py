@@ -11,15 +11,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from osculant.cas.geometry.bitangent import bracket
+from osculant.cas.geometry.vectors import Vector, bracket, dot
 
 if TYPE_CHECKING:
     from osculant.cas.geometry.point_distance import Coefficients
 
 #: an arc is cut in two at most this often
 CUTS = 1000
-
-Vector = tuple[Any, Any]
 
 
 @dataclass(frozen=True)
@@ -34,11 +32,6 @@ class End:
 
     at: Any
     order: int = 1
-
-
-def dot(v: Vector, w: Vector) -> Any:
-    """⟨v, w⟩."""
-    return v[0] * w[0] + v[1] * w[1]
 
 
 def turning(coefficients: Coefficients, low: End, high: End) -> Any:

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from osculant.cas.geometry.bitangent import bracket
-from osculant.cas.geometry.convex_arcs import CUTS, End, Vector, dot, tangent
+from osculant.cas.geometry.convex_arcs import CUTS, End, tangent
+from osculant.cas.geometry.vectors import Vector, bracket, dot
 
 if TYPE_CHECKING:
     from osculant.cas.geometry.point_distance import Coefficients

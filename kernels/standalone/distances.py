@@ -28,10 +28,11 @@ PANELS, COURSE, PER_ROW = 64, 2048, 2
 #: columns of a sample: its parameter, the length up to it, then the point and the velocity
 WAY, POINT = 1, 2
 COLUMNS = 8
-#: Newton steps to one foot, their size that ends them, and by how much lengths may be wrong
-STEPS, SETTLED, LONGER = 60, 1e-15, 1.1
-#: squares that differ by less than this factor are equal to rounding
-FLAT = 1.0 + 2.0**-44
+#: Newton steps to one foot, their size that ends them in parts of the parameter, and by how much lengths may
+#: be wrong
+STEPS, SETTLED, LONGER = 60, 2.0**-52, 1.1
+#: what rounding does to a position, in parts of its coordinates
+FLAT = 2.0**-48
 
 
 class Foot(NamedTuple):
@@ -68,21 +69,33 @@ def see(fit: Any, jets: Jets, p: np.ndarray[Any, Any], t: float) -> tuple[float,
 
 
 @kernel
-def followed(fit: Any, jets: Jets, p: np.ndarray[Any, Any], low: float, high: float) -> tuple[float, float]:
-    """(squared distance, parameter) of the nearest point between two places, by safeguarded Newton steps."""
-    t, width = 0.5 * (low + high), high - low
-    least, place = math.inf, t
+def slack(square: float, reach: float) -> float:
+    """What rounding does to the squared distance of a point whose coordinates add up to ``reach``."""
+    distance = math.sqrt(square)
+    moved = FLAT * (reach + distance)
+    return moved * (distance + moved)
+
+
+@kernel
+def followed(
+    fit: Any, jets: Jets, p: np.ndarray[Any, Any], reach: float, low: float, high: float
+) -> tuple[float, float]:
+    """(squared distance, parameter) of the nearest point between two places, by safeguarded Newton steps.
+
+    Near the foot squares are flat: of places with the same one that with the least slope is the better known.
+    """
+    t, settled = 0.5 * (low + high), SETTLED * max(abs(low), abs(high))
+    least, least_slope, place = math.inf, math.inf, t
     for _ in range(STEPS):
         square, slope, bend = see(fit, jets, p, t)
-        if square <= least:
-            least, place = square, t
-        before = t
-        t, low, high = safeguarded(t, -slope / bend if bend > 0.0 else math.nan, slope > 0.0, low, high)
-        if abs(t - before) <= SETTLED * width:
+        equal = abs(square - least) <= slack(square, reach)
+        if (not equal and square < least) or (equal and abs(slope) < least_slope):
+            least, least_slope, place = square, abs(slope), t
+        step = -slope / bend if bend > 0.0 else math.nan
+        if abs(step) <= settled or high - low <= settled:
             break
-    square, _, _ = see(fit, jets, p, t)
-    # near the foot squares are flat: where the slope is 0 is the better known
-    return (square, t) if square <= FLAT * least else (least, place)
+        t, low, high = safeguarded(t, step, slope > 0.0, low, high)
+    return least, place
 
 
 @kernel
@@ -112,6 +125,9 @@ def nearest(
 ) -> tuple[float, float]:
     """(squared distance, parameter) of the nearest point that is found from the samples."""
     n = dimension(fit)
+    reach = 0.0
+    for j in range(n):
+        reach += abs(p[j])
     least, place = math.inf, samples[0, 0]
     for i in range(samples.shape[0]):
         square = 0.0
@@ -129,8 +145,8 @@ def nearest(
         if i > 0 and slope_before <= 0.0 and slope >= 0.0:
             way = LONGER * (samples[i, WAY] - samples[i - 1, WAY])
             if math.sqrt(min(square, square_before)) - way <= math.sqrt(least):
-                found, t = followed(fit, jets, p, samples[i - 1, 0], samples[i, 0])
-                if found <= FLAT * least:
+                found, t = followed(fit, jets, p, reach, samples[i - 1, 0], samples[i, 0])
+                if found <= least + slack(found, reach):
                     least, place = found, t
         square_before, slope_before = square, slope
     return least, place

@@ -17,8 +17,9 @@ from osculant.cas.claims.examples import HALF_SEXTIC, SEXTIC, SPIRAL, SPIRAL_ARC
 from osculant.cas.claims.proof import integers, read, read_tuple, split
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
-from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve, bracket
+from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
 from osculant.cas.geometry.moons import signed_area
+from osculant.cas.geometry.vectors import bracket
 from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.jets.plane import PlaneJet
 from osculant.cas.numbers.balls import ball, constant, precision

@@ -9,8 +9,9 @@ from mpmath import mp
 
 from osculant.cas.claims.chapter_3.least_area import ACROSS, ENDS, least_grows, moons_grow
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve, bracket
+from osculant.cas.geometry.bitangent import BitangentPencil, ReferenceCurve
 from osculant.cas.geometry.moons import least_area, moons, signed_area
+from osculant.cas.geometry.vectors import bracket
 from osculant.cas.numbers.roots import root_between
 
 SPIRAL = "t*cos(t), t*sin(t)"

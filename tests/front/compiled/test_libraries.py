@@ -6,11 +6,12 @@ import sys
 
 import numpy as np
 import pytest
+import sympy
 
 import osculant as osc
 from osculant.cas.errors import DomainError, FormulaError, OsculantError
 from osculant.primitives.table import PRIMITIVES
-from tests.front.compiled.fixed import knots_of, needs_cc, needs_cxx
+from tests.front.compiled.fixed import knots_of, needs_cc, needs_cxx, needs_libm_alone
 
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
 STRICT = ["-Wall", "-Wextra", "-Werror"]
@@ -62,6 +63,7 @@ def test_every_primitive_is_called_from_c_and_cpp(tmp_path, dimension, primitive
     done = subprocess.run(["./main"], cwd=tmp_path, env={}, capture_output=True, text=True)
     assert done.returncode == 2  # below the floor
     assert done.stdout == from_c and from_c
+    needs_libm_alone(made.library)
     pieces = made.load().approximate(1.0, 1e-3)
     assert [float(line.split()[1]) for line in from_c.splitlines()] == pieces["b"].tolist()
     curve = osc.curve(formula.replace("a*", ""), low, high)
@@ -180,6 +182,20 @@ def test_distances_in_space_with_an_interval_given_later(tmp_path):
 
 
 @needs_cc
+def test_constants_need_values(tmp_path):
+    module = osc.compile_approximator(
+        "t, b*exp(a*t)", "conic", 0, 1, parameters="a b", folder=tmp_path
+    ).load()
+    assert len(module.approximate(1.0, 2.0, 1e-2)) >= 1
+    with pytest.raises(TypeError, match="'b'"):
+        module.approximate(1.0)
+    with pytest.raises(ValueError, match="either a tolerance"):
+        module.approximate(1.0, 2.0)
+    with pytest.raises(FormulaError, match="'b' is unknown"):
+        osc.approximate(osc.curve("t, b*exp(a*t)", 0, 1), "conic", 1e-2)
+
+
+@needs_cc
 def test_a_processor_can_be_named(tmp_path):
     made = osc.compile_approximator(SPIRAL[0], "polygon", *SPIRAL[1:], folder=tmp_path, cpu="native")
     assert "-march=native" in (tmp_path / "curve.c").read_text()
@@ -204,6 +220,8 @@ BAD = [
     (("t, t^2", "conic", 0, 1), {"language": "rust"}, DomainError, "'rust'"),
     (("t, exp(t)", "conic"), {"split_at": [1]}, DomainError, "run time"),
     (("t, exp(t)", "conic", 0, 1), {"cpu": "-O3"}, OsculantError, "processor"),
+    (((sympy.Symbol("t"), sympy.gamma(sympy.Symbol("t"))), "conic", 1, 2), {}, FormulaError, "gamma"),
+    (("t, floor(t)", "conic", 1, 2), {}, FormulaError, "floor"),
 ]
 
 
