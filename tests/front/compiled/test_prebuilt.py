@@ -206,18 +206,10 @@ def test_a_wheel_has_libraries_and_needs_no_compiler(tmp_path):
         shutil.copytree(root / name, source / name, symlinks=True, ignore=skipped)
     for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
         shutil.copy(root / name, source)
-    command = [
-        sys.executable,
-        "-m",
-        "pip",
-        "wheel",
-        "--no-deps",
-        "--no-build-isolation",
-        "-w",
-        tmp_path,
-        source,
-    ]
+    command = [sys.executable, "-m", "pip", "wheel", "--no-deps", "-w", tmp_path, source]
     done = subprocess.run(command, capture_output=True, text=True)
+    if "No matching distribution" in done.stderr:
+        pytest.skip("setuptools and numpy for the build are not to be had")
     assert done.returncode == 0, done.stderr
     [wheel] = tmp_path.glob("*.whl")
     assert "-py3-none-" in wheel.name and "any" not in wheel.name
