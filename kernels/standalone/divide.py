@@ -111,8 +111,8 @@ def write_frame(
 
 @kernel
 def divided(
-    fit: Any, jets: Jets, form: int, other: int, low: Pair, high: Pair, splits: np.ndarray[Any, Any],
-    given: bool, extent: float, stretches: np.ndarray[Any, Any],
+    fit: Any, jets: Jets, form: int, other: int, low: Pair, high: Pair, grid: np.ndarray[Any, Any],
+    splits: np.ndarray[Any, Any], given: bool, extent: float, stretches: np.ndarray[Any, Any],
 ) -> tuple[int, int]:  # fmt: skip
     """(number of stretches, how it went): ``stretches`` filled between the special points of [low, high].
 
@@ -123,6 +123,7 @@ def divided(
         other: and another.
         low: one end,
         high: and the other.
+        grid: places between which special points are sought (`special.add_zeros`).
         splits: where it is to be split, increasing, if they are
         given: by the caller; then nothing is sought.
         extent: of the curve.
@@ -138,11 +139,11 @@ def divided(
             if count < 0:
                 return 0, TOO_MUCH
     else:
-        count = add_cusps(fit, jets, a, b, points, count)
+        count = add_cusps(fit, jets, grid, points, count)
         if form != NO_FORM and count >= 0:
-            count = add_zeros(fit, jets, form, 0, a, b, points, count)
+            count = add_zeros(fit, jets, form, 0, grid, points, count)
         if other != NO_FORM and count >= 0:
-            count = add_zeros(fit, jets, other, 1, a, b, points, count)
+            count = add_zeros(fit, jets, other, 1, grid, points, count)
         if count < 0:
             return 0, TOO_MUCH
     slow = SLOW * extent / (b - a)

@@ -8,14 +8,17 @@ from typing import Any
 import numpy as np
 
 from osculant.kernels.jit import kernel
-from osculant.kernels.operations import SCALE, dimension
+from osculant.kernels.operations import FLOOR, RESOLUTION, SCALE, dimension
 from osculant.kernels.standalone.divide import POINTS, divided, measured
+from osculant.kernels.standalone.features import SEEN, Features, edges_of, grid_of
 from osculant.kernels.standalone.pairs import Pair
 from osculant.kernels.standalone.precise import WIDE, Jets
 from osculant.kernels.standalone.special import JET
 from osculant.kernels.standalone.stretches import (
     DONE,
+    EDGES,
     FRAMES,
+    TOO_MUCH,
     UNDEFINED,
     WRONG,
     Outcome,
@@ -23,8 +26,6 @@ from osculant.kernels.standalone.stretches import (
     for_tolerance,
 )
 
-#: panels of a stretch, equally long
-PANELS = 64
 #: numbers of a curve's size, and of a stretch, at most
 SIZE, STRETCH = 9, 15
 
@@ -32,7 +33,7 @@ SIZE, STRETCH = 9, 15
 @kernel
 def approximate(
     fit: Any, address: int, longer: int, order: int, precise: int, sure: bool, form: int, other: int,
-    low: float, low_rest: float, high: float, high_rest: float,
+    low: float, low_rest: float, high: float, high_rest: float, features: Features,
     splits: np.ndarray[Any, Any], given: bool, units: np.ndarray[Any, Any], tolerance: float, number: int,
     degree: int, pieces: np.ndarray[Any, Any],
 ) -> Outcome:  # fmt: skip
@@ -51,6 +52,7 @@ def approximate(
         low_rest: what the double lacks of it,
         high: the other,
         high_rest: and what that lacks.
+        features: what tells of the curve between samples.
         splits: special points, if they are
         given: by the caller.
         units: see `divide.measured`.
@@ -69,16 +71,18 @@ def approximate(
     columns = FRAMES + 4 * dimension(fit)
     stretches = np.empty((POINTS + 1, STRETCH)).reshape(((POINTS + 1) * STRETCH // columns, columns))
     ends = Pair(low, low_rest), Pair(high, high_rest)
+    edges = np.empty((EDGES, 2))
+    level = max(size[FLOOR], tolerance)  # also where the tolerance is none
+    count = edges_of(features, low, high, level * size[RESOLUTION], edges)
+    if count < 0:
+        return Outcome(0, TOO_MUCH, 0.0, 0.0)
+    grid = np.empty((EDGES + SEEN + 1, 2))
+    places = grid[: grid_of(low, high, edges[:count], grid)]
     found, status = divided(
-        fit, jets, form, other, ends[0], ends[1], splits, given, 1.0 / size[SCALE], stretches
+        fit, jets, form, other, ends[0], ends[1], places, splits, given, 1.0 / size[SCALE], stretches
     )
     if status != DONE:
         return Outcome(0, status, 0.0, 0.0)
-    edges = np.empty((PANELS, 2))
-    count = 0
-    for i in range(1, PANELS):
-        edges[count, 0], edges[count, 1] = low + width * i / PANELS, math.inf
-        count += 1
     if tolerance == 0.0 and number > 0:
         return for_number(fit, address, size, stretches[:found], edges[:count], number, degree, pieces)
     return for_tolerance(fit, address, size, stretches[:found], edges[:count], tolerance, degree, pieces)

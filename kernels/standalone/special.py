@@ -1,8 +1,9 @@
 """Special points of a curve in doubles: zeros of forms and cusps, for compiled approximators.
 
-They are sought as sign changes of the forms that `osculant.cas.zeros` isolates, on a grid that is refined
-where a form comes near to 0.  Nothing is proved here: two zeros closer to each other than the finest grid are
-missed, and so are zeros without a change of sign.  Cusps are where the tangent turns back.
+They are sought as sign changes of the forms that `osculant.cas.zeros` isolates, on a grid that knows the
+curve's features and is refined where a form comes near to 0.  Nothing is proved here: two zeros closer to
+each other than the finest grid are missed, and so are zeros without a change of sign.  Cusps are where the
+tangent turns back.
 """
 
 from __future__ import annotations
@@ -19,9 +20,9 @@ from osculant.kernels.operations import dimension
 from osculant.kernels.standalone.pairs import Pair
 from osculant.kernels.standalone.precise import CUSP, Jets, polished
 
-#: panels of the grid, how often one is halved, and a form that falls below this part of its ends' in the
-#: middle may have zeros
-PANELS, DEPTH, NEAR = 128, 12, 0.5
+#: how often a panel of the grid is halved, and a form that falls below this part of its ends' in the middle
+#: may have zeros
+DEPTH, NEAR = 12, 0.5
 #: special points closer to each other, or to an end, than this part of the interval are one
 TOGETHER = 1e-9
 #: steps to one zero
@@ -118,17 +119,19 @@ def insert(points: np.ndarray[Any, Any], count: int, at: Pair, low: float, high:
 
 @kernel
 def add_zeros(
-    fit: Any, jets: Jets, form: int, which: int, low: float, high: float, points: np.ndarray[Any, Any],
+    fit: Any, jets: Jets, form: int, which: int, grid: np.ndarray[Any, Any], points: np.ndarray[Any, Any],
     count: int,
 ) -> int:  # fmt: skip
     """Add the zeros of a form to the points; their new number, −1 if there are too many.
 
-    ``which`` it is in the precise jet.
+    ``which`` it is in the precise jet; ``grid`` (m, 2) has increasing places as rows, both ends among them.
     """
+    last = grid.shape[0] - 1
+    low, high = grid[0, 0], grid[last, 0]
     pending = np.empty((DEPTH + 2, 3))
     before, at_before = low, told(jets, form, low)
-    for i in range(1, PANELS + 1):
-        end = high if i == PANELS else low + (high - low) * i / PANELS
+    for i in range(1, last + 1):
+        end = grid[i, 0]
         pending[0, 0], pending[0, 1], pending[0, 2] = end, told(jets, form, end), 0.0
         open_ends = 1
         while open_ends > 0:
@@ -177,11 +180,15 @@ def turns_back(fit: Any, first: np.ndarray[Any, Any], last: np.ndarray[Any, Any]
 
 
 @kernel
-def add_cusps(fit: Any, jets: Jets, low: float, high: float, points: np.ndarray[Any, Any], count: int) -> int:
+def add_cusps(
+    fit: Any, jets: Jets, grid: np.ndarray[Any, Any], points: np.ndarray[Any, Any], count: int
+) -> int:
     """Add the places where the tangent turns back all at once; their new number, −1 if there are too many."""
     first, last, middle = np.empty(3), np.empty(3), np.empty(3)
-    for i in range(1, PANELS + 1):
-        a, b = low + (high - low) * (i - 1) / PANELS, low + (high - low) * i / PANELS
+    panels = grid.shape[0] - 1
+    low, high = grid[0, 0], grid[panels, 0]
+    for i in range(1, panels + 1):
+        a, b = grid[i - 1, 0], grid[i, 0]
         along(fit, jets, a, first)
         along(fit, jets, b, last)
         for _ in range(STEPS):

@@ -105,9 +105,9 @@ def compile_approximator(
 
     Of a curve with nothing free the special points are found now, and proved as `osculant.approximate` does;
     the greedy pieces are then those of osculant bit for bit, where libm is the same.  Else special points are
-    given by the caller, or found at run time by changes of sign, which proves nothing (of a jet of the
-    caller's, only cusps are found), and what a curve does on less than a 64th of its interval may be missed;
-    knots are then those of osculant to 1e-12 of the interval's ends, but with a jet of the caller's.
+    given by the caller, or found at run time by changes of sign, which proves nothing; knots are those of
+    osculant for the same constants all the same. Of a jet of the caller's only cusps are found, and what the
+    curve does on less than a 64th of its interval may be missed.
 
     The ends of the interval are knots, also of closed curves; no small arc is passed over, curves that are
     arcs of such pieces themselves are treated as others, and one greedy piece fewer is never tried for.

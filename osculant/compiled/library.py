@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 from osculant.codegen.c.jets import jet_function
 from osculant.codegen.c.program import Translation
 from osculant.codegen.c.types import BOOLEAN, DOUBLE, INTEGER, JET, ROW, TABLE, Known, Type
+from osculant.compiled.features import features_arrays, features_lines, features_type
 from osculant.compiled.interface import Argument, given, signature
-from osculant.compiled.numbers import UNITS, Numbers
+from osculant.compiled.numbers import RESOLVING, UNITS, Numbers
 from osculant.compiled.precise import precise_jet
 from osculant.version import __version__
 
@@ -136,6 +137,7 @@ def source(wanted: Approximator, command: str) -> str:
     else:
         forms: list[Type] = [INTEGER, JET, BOOLEAN, INTEGER, INTEGER]
         numbers: list[Type] = [DOUBLE, DOUBLE, DOUBLE, DOUBLE, ROW, BOOLEAN, ROW]
+        numbers.insert(4, features_type())
         kinds = [record, JET, JET, *forms, *numbers, DOUBLE, INTEGER, INTEGER, TABLE]
         entries = [translation.function(free.approximate, kinds)] * 2
     outcome = translation.c_type(entries[0].result)
@@ -184,6 +186,8 @@ def _curve(wanted: Approximator, translation: Translation) -> str:
     if wanted.numbers is None and subject.coordinates is not None:
         parts.append("/* The derivatives 0 ... 3, and of each form value and slope, in pairs of doubles. */")
         parts.append(precise_jet(translation, subject, wanted.form_names) + "\n")
+        parts.append("/* Its Taylor program, as enclosures of doubles interpret it. */")
+        parts.append(features_arrays(subject) + "\n")
     if wanted.numbers is not None:
         parts.append(
             "/* Of the curve: scale, noise, floor, shares, resolution, origin; stretches; features. */"
@@ -195,7 +199,8 @@ def _curve(wanted: Approximator, translation: Translation) -> str:
         parts.append(
             "/* The floor of tolerances and the shares kept for rounding, in rounding units; resolution. */"
         )
-        parts.append(array_of("units", [UNITS], flat=True))
+        outlined = subject.dimension == 2 and wanted.split == "theory"
+        parts.append(array_of("units", [UNITS if outlined else RESOLVING], flat=True))
     return "\n".join(parts)
 
 
@@ -246,6 +251,7 @@ def _free_call(wanted: Approximator, entry: str, outcome: str, tolerant: bool) -
         lines.append(f"const jet longer = {{longer_jet, {parameters}}};")
     if not own:
         lines.append(f"const jet precise = {{precise_jet, {parameters}}};")
+    lines += features_lines(subject)
     ends = "low, 0.0, high, 0.0"
     if subject.ends is not None:
         ends = ", ".join(repr(part) for which in (0, 1) for part in parts_of_end(subject, which))
@@ -254,7 +260,8 @@ def _free_call(wanted: Approximator, entry: str, outcome: str, tolerant: bool) -
     precise = "&at, false" if own else "&precise, true"
     lines.append(
         f"const {outcome} outcome = {entry}(room, &at, &{longer}, {order}, {precise}, {form}, {other}, "
-        f"{ends}, (row){{(double *)splits, splits == NULL ? 0 : (int64_t)split_count}}, splits != NULL, "
+        f"{ends}, features, "
+        f"(row){{(double *)splits, splits == NULL ? 0 : (int64_t)split_count}}, splits != NULL, "
         f"(row){{(double *)units, {len(UNITS)}}}, {sought}, {wanted.fit.degree}, {_pieces(wanted)});"
     )
     return lines

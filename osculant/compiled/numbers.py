@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from osculant.approximation.approximate import check_areas
 from osculant.approximation.coordinates import NOISE_ULPS
 from osculant.approximation.division import divide
-from osculant.approximation.fitting import OUTLINED, resolution
+from osculant.approximation.fitting import OUTLINED, RESOLVED, resolution
 from osculant.cas.errors import UndecidedError
 from osculant.curves.enclosed import enclosed
 from osculant.curves.extent import extent
@@ -22,8 +22,11 @@ if TYPE_CHECKING:
 #: edges of a curve's features at most, as `osculant.kernels.standalone.stretches.EDGES` has room for them
 MOST_EDGES = 2000
 #: for curves that are known only at run time: the floor of tolerances in rounding units, what is kept of one
-#: for rounding, in parts of it and in rounding units at least, and the resolution over the tolerance
+#: for rounding, in parts of it and in rounding units at least, and the resolution over the tolerance where
+#: the curve is split as theory wants it
 UNITS = (float(FLOOR_ULPS), WINDOW / 4, WINDOW_ULPS / 4, OUTLINED)
+#: and where it is not, or in space
+RESOLVING = (*UNITS[:3], RESOLVED)
 
 Rows = tuple[tuple[float, ...], ...]
 

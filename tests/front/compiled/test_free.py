@@ -65,9 +65,7 @@ def test_a_sweep_of_a_hundred_thousand_ellipses(tmp_path):
         formula = f"({Fraction(a)})*cos(t), ({Fraction(b)})*sin(t)"
         knots, errors = greedy((formula, 0, "2*pi"), "biarc", 1e-3)
         pieces = module.approximate(a, b, 1e-3)
-        assert len(pieces) == len(errors)
-        assert np.abs(knots_of(pieces) - knots).max() <= 1e-12
-        assert np.abs(pieces["error"] - errors).max() <= 1e-12
+        assert knots_of(pieces).tolist() == knots.tolist() and pieces["error"].tolist() == errors.tolist()
 
 
 def test_two_threads_find_the_same_bits(ellipse):
@@ -113,24 +111,30 @@ SAME = [
 
 @pytest.mark.parametrize(("formula", "primitive", "at"), SAME)
 def test_knots_are_those_of_the_kernels(tmp_path, formula, primitive, at):
-    """To the last bit, also where rounding moves knots, if Python has the same curve.
-
-    Only features are seen otherwise: on coarse arcs samples may be at other places.
-    """
+    """To the last bit, also where rounding moves knots, if Python has the same curve."""
     a, b, low, high = at
     module = osc.compile_approximator(
         formula.format(a="a", b="b"), primitive, parameters="a b", folder=tmp_path
     ).load()
     exact = formula.format(a=f"({Fraction(a)})", b=f"({Fraction(b)})")
-    same = 0
-    for tolerance in (1e-2, 1e-4, 1e-6, 1e-7) if primitive != "cubic" else (1e-3, 1e-6):
+    for tolerance in (1e-1, 1e-2, 1e-4, 1e-7) if primitive != "cubic" else (1e-1, 1e-3, 1e-6):
         knots, errors = greedy((exact, Fraction(low), Fraction(high)), primitive, tolerance)
         pieces = module.approximate(low, high, a, b, tolerance)
-        assert len(pieces) == len(errors)
-        assert np.abs(knots_of(pieces) - knots).max() <= 1e-12 * max(abs(low), abs(high))
-        same += knots_of(pieces).tolist() == knots.tolist()
-        assert np.abs(pieces["error"] - errors).max() <= max(1e-9 * tolerance, 1e-15)
-    assert same >= 1
+        assert knots_of(pieces).tolist() == knots.tolist()
+        assert pieces["error"].tolist() == errors.tolist()
+
+
+def test_features_between_samples_are_seen(tmp_path):
+    """A bump on a line, far narrower than panels that are even, with its inflections."""
+    formula = "t, a*exp(-((t - b)*10^4)^2)"
+    exact = formula.replace("a*", "(1/4)*").replace("b", "79/128")
+    for primitive in ("polygon", "conic"):
+        module = osc.compile_approximator(
+            formula, primitive, parameters="a b", folder=tmp_path, name=primitive
+        ).load()
+        pieces = module.approximate(0.0, 1.0, 0.25, 0.6171875, 1e-3)
+        knots, _ = greedy((exact, 0, 1), primitive, 1e-3)
+        assert len(pieces) == 6 and knots_of(pieces).tolist() == knots.tolist()
 
 
 def test_special_points_are_taken_from_the_caller(ellipse):
