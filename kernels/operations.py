@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import Any, NamedTuple, TypeVar, cast, get_type_hints
 
 from osculant.kernels.jit import BARE, when_numba_is_there
 
@@ -21,6 +21,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 _OPERATIONS: dict[str, Callable[..., Any]] = {}
 _RECORDS: dict[type, dict[str, Any]] = {}
 _COLUMNS: dict[type, int] = {}
+_PIECES: dict[type, Any] = {}
 
 
 def operation(stub: Function) -> Function:
@@ -63,6 +64,14 @@ def register(record: type, columns: int, /, **functions: Any) -> None:
 def columns(record: type) -> int:
     """How many columns the rows of a fit have."""
     return _COLUMNS[record]
+
+
+def piece_type(record: type) -> Any:
+    """The `NamedTuple` of numbers that `shape` makes for a fit, by the class of its record."""
+    if record not in _PIECES:
+        made = _RECORDS[record]["shape"]
+        _PIECES[record] = get_type_hints(getattr(made, "__wrapped__", made))["return"]
+    return _PIECES[record]
 
 
 def operations() -> Mapping[str, Callable[..., Any]]:
@@ -187,8 +196,13 @@ def record(fit: Any, row: Any, piece: Any, start: Any, end: Any, source: Any) ->
     """Write a piece into a row of the table, from `SHAPE` on; the columns before are written already."""
 
 
+@operation
+def shape(fit: Any, row: Any, place: Any, error: Any) -> Any:
+    """The piece in a row of the table, in the user's coordinates: a `NamedTuple` of numbers only."""
+
+
 # What compiled approximators do besides: they take a curve's size and frames as numbers in the user's
-# coordinates (`osculant.kernels.standalone`), and hand out pieces in them.
+# coordinates (`osculant.kernels.standalone`).
 
 
 @operation
@@ -204,11 +218,6 @@ def place_in(fit: Any, size: Any, side: Any) -> Any:
 @operation
 def frame_in(fit: Any, place: Any, row: Any, first: Any) -> Any:
     """The frame whose point and tangent, in the user's coordinates, are in a row from ``first`` on."""
-
-
-@operation
-def shape(fit: Any, row: Any, place: Any, error: Any) -> Any:
-    """The piece in a row of the table, in the user's coordinates: a `NamedTuple` of numbers only."""
 
 
 #: the numbers of a curve's size: the kernels' scale and noise, the floor of tolerances, the share of one that

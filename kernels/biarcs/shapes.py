@@ -1,4 +1,4 @@
-"""Rows of biarcs as pieces in the user's coordinates, for compiled approximators."""
+"""Rows of biarcs as pieces in the user's coordinates."""
 
 from __future__ import annotations
 

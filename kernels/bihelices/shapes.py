@@ -1,4 +1,4 @@
-"""Rows of bihelices as pieces, for compiled approximators."""
+"""Rows of bihelices as pieces."""
 
 from __future__ import annotations
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from osculant.approximation.coordinates import Coordinates
 from osculant.approximation.runs import (
     Floats,
     Progress,
@@ -18,15 +19,19 @@ from osculant.approximation.runs import (
     not_found,
     too_many,
 )
+from osculant.curves.kept import kept
 from osculant.kernels import operations, search
 from osculant.kernels.counting import count_larger
 from osculant.kernels.course import MOST, lay_out
 from osculant.kernels.given_knots import fit_arcs
 from osculant.kernels.quadrature import contents
+from osculant.kernels.shapes import shapes
 
 if TYPE_CHECKING:
-    from osculant.approximation.coordinates import Coordinates, Local, Place
+    from osculant.approximation.coordinates import Local, Place
     from osculant.approximation.division import Stretch
+    from osculant.curves.curve import FormulaCurve
+    from osculant.curves.extent import Extent
     from osculant.primitives.primitive import Fit
 
 #: pieces per call of the kernel
@@ -98,14 +103,9 @@ class Arcs:
         return self.coordinates.frame_at(t, self.place)
 
     def course(self, a: float, b: float) -> Floats:
-        """How the curve turns and how long it is from a to b (`osculant.kernels.course`)."""
-        edges = self.coordinates.edges(a, b)
-        for rows in (COURSE, MOST):
-            course = np.empty((rows, 3))
-            found = lay_out(self.record, self.curve.compiled.address, self.place, edges, course)
-            if found > 0:
-                return course[:found].copy()
-        raise too_many(MOST)
+        """How the curve turns and how long it is from a to b (`osculant.kernels.course`); kept."""
+        size, resolution = self.coordinates.size, self.coordinates.resolution
+        return _course(self.curve, type(self.record), self.record, size, resolution, self.place, a, b)
 
     def job(self, low: float, high: float) -> Job:
         """The kernel's arguments for the stretch from its beginning, for errors in the user's units."""
@@ -134,7 +134,7 @@ class Arcs:
         most = BOUNDLESS / self.unit
         job = self.job(min(low, 0.5 * most), min(high, most))
         tables, count, table = [], 0, self._scratch
-        while job.a < job.stop:
+        while True:
             found, reached, _ = search.spline(*job, table)
             tables.append(table[:found].copy())
             count += found
@@ -144,6 +144,8 @@ class Arcs:
                 raise not_found(high, reached)
             if count > MOST_PIECES:
                 raise too_many(MOST_PIECES)
+            if not reached < job.stop:
+                break
             length = table[found - 1, operations.B] - table[found - 1, operations.A]
             job = job._replace(a=reached, start=self.frame_at(reached), length=length)
         return self._run(np.concatenate(tables))
@@ -186,22 +188,43 @@ class Arcs:
         return replace(self.stretch, high=arb(t), b=t, end=self.coordinates.user_frame(t, self.place))
 
     def _run(self, table: Floats) -> Run:
-        reasons = table[:, operations.REASON]
+        reasons = set(table[:, operations.REASON].tolist())
         return Run(
             np.append(table[:, operations.A], table[-1, operations.B]),
             np.maximum(table[:, operations.ERROR] / self.unit + self.spare, self.reach),
             table,
-            bool((reasons == search.ENDS_AT_LIMIT).any()),
-            bool((reasons == search.ENDS_EARLY).any()),
+            search.ENDS_AT_LIMIT in reasons,
+            search.ENDS_EARLY in reasons,
         )
 
     def pieces(self, run: Run) -> list[Any]:
         """The pieces themselves, in the user's coordinates."""
-        make = self.fit.primitive.piece
-        rows = zip(run.rows.tolist(), run.errors.tolist(), strict=True)
-        pieces = [make(row, self.place, error) for row, error in rows]
+        found = np.empty((len(run), len(operations.piece_type(type(self.record))._fields)))
+        shapes(self.record, run.rows, self.place, run.errors, found)
+        pieces = self.fit.primitive.pieces(run.rows, found)
         if self.stretch.covers is not None:
             first, last = self.stretch.covers
             pieces[0] = replace(pieces[0], interval=(first, pieces[0].interval[1]))
             pieces[-1] = replace(pieces[-1], interval=(pieces[-1].interval[0], last))
         return pieces
+
+
+@kept
+def _course(
+    curve: FormulaCurve,
+    fit: type,
+    record: Any,
+    size: Extent,
+    resolution: float | None,
+    place: Place,
+    a: float,
+    b: float,
+) -> Floats:
+    """`Arcs.course`, of records of the class ``fit``: equal ones may be of different classes."""
+    edges = Coordinates(curve, size, resolution).edges(a, b)
+    for rows in (COURSE, MOST):
+        course = np.empty((rows, 3))
+        found = lay_out(record, curve.compiled.address, place, edges, course)
+        if found > 0:
+            return course[:found].copy()
+    raise too_many(MOST)

@@ -74,9 +74,10 @@ class Coordinates:
             return equal_parts((a, b), PANELS)
         low, high = self.curve.interval
         period = high - low
-        turns = np.arange(math.floor((a - low) / period), max(1, math.ceil((b - low) / period)))
-        every = np.unique(parts(self.curve, self.resolution) + period * turns[:, None])
-        return np.concatenate([[a], every[(every > a) & (every < b)], [b]])
+        first, last = math.floor((a - low) / period), max(1, math.ceil((b - low) / period))
+        every = _repeated(self.curve, self.resolution, first, last)
+        inside = slice(np.searchsorted(every, a, "right"), np.searchsorted(every, b, "left"))
+        return np.concatenate([[a], every[inside], [b]])
 
     def error_noise(self, degree: int) -> float:
         """What rounding does to an error in the user's units: a length (degree 1), or an area (2)."""
@@ -114,3 +115,11 @@ def parts(curve: FormulaCurve, resolution: float) -> Floats:
     17
     """
     return np.array(enclosed(curve.balls).parts(*curve.interval, resolution))
+
+
+@kept
+def _repeated(curve: FormulaCurve, resolution: float, first: int, last: int) -> Floats:
+    """The edges of `parts` in order, from the first turn of a periodic curve up to the last."""
+    low, high = curve.interval
+    turns = np.arange(first, last)
+    return np.unique(parts(curve, resolution) + (high - low) * turns[:, None])

@@ -70,12 +70,9 @@ class Approximator:
     @property
     def piece(self) -> Any:
         """The `NamedTuple` class of a piece."""
-        from typing import get_type_hints
+        from osculant.kernels.operations import piece_type
 
-        from osculant.kernels.operations import registered
-
-        shape = registered()[type(self.record)]["shape"]
-        return get_type_hints(getattr(shape, "__wrapped__", shape))["return"]
+        return piece_type(type(self.record))
 
     @property
     def form_names(self) -> list[str]:

@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 Point = tuple[float, float]
 
 CONIC_KINDS = get_args(ConicKind)
+#: a weight that is so near to 1 is a parabola's
+SAME_WEIGHT = 4 * math.ulp(0.5)
 
 
 def classify(weight: float) -> ConicKind:
@@ -50,9 +52,18 @@ def classify(weight: float) -> ConicKind:
     >>> [classify(w) for w in (-0.5, 1.0, 3.0)]
     ['ellipse', 'parabola', 'hyperbola']
     """
-    if abs(weight - 1.0) <= 4 * math.ulp(0.5):
+    if abs(weight - 1.0) <= SAME_WEIGHT:
         return "parabola"
     return "ellipse" if weight < 1 else "hyperbola"
+
+
+def require_bounded(*weights: float) -> None:
+    """Raises DomainError if a conic arc of one of the weights is not bounded."""
+    for weight in weights:
+        if not -1 < weight < math.inf:
+            raise DomainError(
+                f"A conic arc is bounded only for a weight above -1 and finite; this one has {weight!r}."
+            )
 
 
 @dataclass(frozen=True)
@@ -87,10 +98,7 @@ class Piece:
     def __post_init__(self) -> None:
         if self.kind not in CONIC_KINDS:
             raise DomainError(f"A piece is an {', '.join(CONIC_KINDS)}; {self.kind!r} is none of them.")
-        if not -1 < self.weight < math.inf:
-            raise DomainError(
-                f"A conic arc is bounded only for a weight above -1 and finite; this one has {self.weight!r}."
-            )
+        require_bounded(self.weight)
 
     @classmethod
     def segment(cls, interval: tuple[float, float], start: Point, end: Point, error: float = 0.0) -> Piece:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import numpy as np
 
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
+Record = TypeVar("Record")
 #: a point or a vector, with two or three coordinates
 Coordinates = tuple[float, ...]
 #: the lower and the upper corner
@@ -103,6 +104,30 @@ class OfArcs:
     def bounding_box(self: PieceLike) -> Box:
         """Return the lower and upper corners of the smallest box around the arcs."""
         return around(arc.bounding_box() for arc in self.arcs)
+
+
+def together(record: type[Record], *columns: Iterable[Any]) -> list[Record]:
+    """Frozen records from a column for each of their fields, as their constructor makes them one by one.
+
+    What ``__post_init__`` would check has to be sure for all of them.
+
+    >>> from osculant.pieces.cubics import Cubic
+    >>> inner = ((0.0, 2.0), (2.0, 2.0))
+    >>> made = together(Cubic, [(0.0, 1.0)], [(0.0, 0.0)], [inner], [(2.0, 0.0)], [1e-3])
+    >>> made == [Cubic((0.0, 1.0), (0.0, 0.0), inner, (2.0, 0.0), 1e-3)]
+    True
+    """
+    names = tuple(record.__dataclass_fields__)  # type: ignore[attr-defined]
+    first, *others = zip(names, columns, strict=True)
+    made = []
+    for value in first[1]:
+        made.append(object.__new__(record))
+        made[-1].__dict__[first[0]] = value
+    values = [piece.__dict__ for piece in made]
+    for name, column in others:
+        for filled, value in zip(values, column, strict=True):
+            filled[name] = value
+    return made
 
 
 def largest_of(boxes: Iterable[Box]) -> float:

@@ -6,35 +6,30 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from osculant.primitives.conic import segment
-from osculant.primitives.primitive import Itself, Primitive, Theorem, user_point
+from osculant.primitives.primitive import Itself, Primitive, Theorem, columns
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from osculant.kernels.curves.plane import Place
     from osculant.pieces.biarcs import Biarc
+    from osculant.pieces.piece import Floats
 
 
-def biarc_piece(values: Sequence[float], place: Place, error: float) -> Biarc:
-    """A row of the kernels' table (`kernels.biarcs.records.Row`) as a biarc, or as the one arc that it is."""
-    from osculant.kernels.biarcs.records import Row
+def pieces(rows: Floats, shapes: Floats) -> list[Biarc]:
+    """Shapes of biarcs (`kernels.biarcs.shapes.Arcs`), (n, numbers), as biarcs, or as arcs where two are one.
+
+    ``rows`` of the kernels' table tell nothing more.
+    """
+    from osculant.kernels.biarcs.shapes import Arcs
     from osculant.pieces.biarcs import Biarc
+    from osculant.pieces.piece import together
 
-    row = Row(*values)
-    scale, side = place.scale, place.side
-    chord = math.hypot(row.x1 - row.x0, row.y1 - row.y0)
-    dx, dy = (row.x1 - row.x0) / chord, (row.y1 - row.y0) / chord
-    dot, cross = row.tx0 * dx + row.ty0 * dy, row.tx0 * dy - row.ty0 * dx
-    return Biarc(
-        "arc" if row.bend0 == row.bend1 and error == 0 else "biarc",
-        (row.a, row.b),
-        user_point(place, row.x0, row.y0),
-        user_point(place, row.x1, row.y1),
-        user_point(place, row.x2, row.y2),
-        ((row.tx0, row.ty0 * side), (dx * dot - dy * cross, (dy * dot + dx * cross) * side)),
-        (row.bend0 * side * scale, row.bend1 * side * scale),
-        error,
-    )
+    arcs = columns(Arcs, shapes)
+    bends = list(zip(arcs.bend0, arcs.bend1))
+    kinds = [
+        "arc" if first == last and error == 0 else "biarc" for (first, last), error in zip(bends, arcs.error)
+    ]
+    points = zip(arcs.x0, arcs.y0), zip(arcs.x1, arcs.y1), zip(arcs.x2, arcs.y2)
+    tangents = zip(zip(arcs.tx0, arcs.ty0), zip(arcs.tx1, arcs.ty1))
+    return together(Biarc, kinds, zip(arcs.a, arcs.b), *points, tangents, bends, arcs.error)
 
 
 def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
@@ -70,7 +65,7 @@ BIARC = Primitive(
     theory=("vertex",),
     itself=Itself("circle", ("vertex",), lambda exact: exact.circle, turning=2 * math.pi),
     theorems={("hausdorff", "equioscillating"): Theorem("X5.3-7")},
-    piece=biarc_piece,
+    pieces=pieces,
     segment=segment,
     bridge=bridge,
 )

@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, Any
 from osculant.primitives.primitive import Itself, Primitive
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from osculant.kernels.curves.space import Place
-    from osculant.pieces.helices import HelixArc, SpacePiece, Vector
+    from osculant.pieces.helices import SpacePiece, Vector
+    from osculant.pieces.piece import Floats
 
 
 def equioscillating(order: int) -> Any:
@@ -30,30 +28,32 @@ def thesis(order: int) -> Any:
     return Bihelix(THESIS, float(order))
 
 
-def bihelix_piece(values: Sequence[float], place: Place, error: float) -> SpacePiece:
-    """A row of the kernels' table (`kernels.bihelices.records`), which is in the user's coordinates."""
-    from osculant.kernels.bihelices.helix import HELIX_SIZE
-    from osculant.kernels.bihelices.records import LEFT, MIDDLE, RIGHT
-    from osculant.kernels.operations import A, B
-    from osculant.pieces.helices import SpacePiece
+def pieces(rows: Floats, shapes: Floats) -> list[SpacePiece]:
+    """Shapes of bihelices (`kernels.bihelices.shapes.Helices`), (n, numbers), as pieces.
 
-    arcs = tuple(helix_arc(values[first : first + HELIX_SIZE]) for first in (LEFT, RIGHT))
-    return SpacePiece((values[A], values[B]), arcs, error, values[MIDDLE])
+    ``rows`` of the kernels' table tell nothing more.
 
+    Raises:
+        DomainError: an arc of no length.
+    """
+    from osculant.kernels.bihelices.shapes import Helices
+    from osculant.pieces.helices import HelixArc, SpacePiece
 
-def helix_arc(helix: Sequence[float]) -> HelixArc:
-    """A `kernels.bihelices.helix.Helix` as a `HelixArc`: V of the thesis is minus the axis."""
-    from osculant.pieces.helices import HelixArc
-
-    (x, y, z), (u, v, w) = helix[3:6], helix[9:12]  # tangent, inward
-    rate, length, _, curvature, torsion = helix[12:17]
-    axis = (x, y, z)
-    if rate:  # V = T₀×(V×T₀) + ⟨V,T₀⟩T₀
-        along = torsion / rate
-        axis = (y * w - z * v + along * x, z * u - x * w + along * y, x * v - y * u + along * z)
-        size = math.hypot(*axis)
-        axis = (axis[0] / size, axis[1] / size, axis[2] / size)
-    return HelixArc((helix[0], helix[1], helix[2]), (x, y, z), axis, curvature, torsion, length)
+    made = []
+    for values in shapes.tolist():
+        h = Helices(*values)
+        arcs = (
+            HelixArc(
+                (h.px0, h.py0, h.pz0), (h.tx0, h.ty0, h.tz0), (h.vx0, h.vy0, h.vz0),
+                h.curvature0, h.torsion0, h.length0,
+            ),
+            HelixArc(
+                (h.px1, h.py1, h.pz1), (h.tx1, h.ty1, h.tz1), (h.vx1, h.vy1, h.vz1),
+                h.curvature1, h.torsion1, h.length1,
+            ),
+        )  # fmt: skip
+        made.append(SpacePiece((h.a, h.b), arcs, h.error, h.t))
+    return made
 
 
 def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
@@ -63,7 +63,7 @@ def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) ->
     return space_arcs(interval, start, end, error)
 
 
-def segment(interval: tuple[float, float], start: Vector, end: Vector) -> SpacePiece:
+def segment(interval: tuple[float, float], start: Vector, end: Vector, error: float = 0.0) -> SpacePiece:
     """The straight piece between two points.
 
     >>> segment((0.0, 1.0), (0.0, 0.0, 1.0), (0.0, 0.0, 3.0)).arcs[0].length
@@ -73,7 +73,7 @@ def segment(interval: tuple[float, float], start: Vector, end: Vector) -> SpaceP
 
     length = math.dist(start, end)
     x, y, z = ((last - first) / length for first, last in zip(start, end))
-    return SpacePiece(interval, (HelixArc(start, (x, y, z), (x, y, z), 0.0, 0.0, length),), 0.0)
+    return SpacePiece(interval, (HelixArc(start, (x, y, z), (x, y, z), 0.0, 0.0, length),), error)
 
 
 BIHELIX = Primitive(
@@ -90,7 +90,7 @@ BIHELIX = Primitive(
     theory=("vertex",),
     itself=Itself("helix", ("vertex", "slope"), lambda exact: exact.circular_helix, turning=2 * math.pi),
     theorems={},
-    piece=bihelix_piece,
+    pieces=pieces,
     segment=segment,
     bridge=bridge,
     monotone=False,  # only while errors are small

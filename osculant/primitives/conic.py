@@ -5,50 +5,43 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from osculant.primitives.primitive import Itself, Method, Primitive, Theorem, user_point
+from osculant.primitives.primitive import Itself, Method, Primitive, Theorem, columns
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from osculant.kernels.conics.records import Row
-    from osculant.kernels.curves.plane import Place
     from osculant.pieces.conics import Piece, Point
-    from osculant.pieces.kinds import ConicKind
+    from osculant.pieces.piece import Floats
 
 
-def conic_piece(values: Sequence[float], place: Place, error: float) -> Piece:
-    """A row of the kernels' table (`kernels.conics.records.Row`) as a conic arc."""
-    from osculant.pieces.conics import classify
+def pieces(rows: Floats, shapes: Floats) -> list[Piece]:
+    """Rows of the kernels' table and their shapes (`kernels.conics.shapes.Arc`) as arcs of conics.
 
-    row = _row(values)
-    return _arc(row, place, error, classify(row.weight), row.weight)
+    Args:
+        rows: of `kernels.conics.records.Row`, shape (n, columns); where Q = 0 the arc is its chord.
+        shapes: the same in the user's coordinates, shape (n, numbers).
 
-
-def parabola_piece(values: Sequence[float], place: Place, error: float) -> Piece:
-    """A row of the kernels' table as an arc of a parabola."""
-    return _arc(_row(values), place, error, "parabola", 1.0)
-
-
-def _row(values: Sequence[float]) -> Row:
+    Raises:
+        DomainError: a weight at which an arc is not bounded.
+    """
     from osculant.kernels.conics.records import Row
+    from osculant.kernels.conics.shapes import Arc
+    from osculant.pieces.conics import Piece, classify, require_bounded
+    from osculant.pieces.piece import together
 
-    return Row(*values)
-
-
-def _arc(row: Row, place: Place, error: float, kind: ConicKind, weight: float) -> Piece:
-    from osculant.pieces.conics import Piece
-
-    start, end = user_point(place, row.x0, row.y0), user_point(place, row.x2, row.y2)
-    if row.q == 0:
-        return Piece.segment((row.a, row.b), start, end, error)
-    reach = row.reach / place.scale
-    middle = (weight * start[0] + reach * row.tx0, weight * start[1] + reach * row.ty0 * place.side)
-    return Piece(kind, (row.a, row.b), start, end, middle, weight, error)
+    arc = columns(Arc, shapes)
+    require_bounded(*arc.weight)
+    chords = (rows[:, Row._fields.index("q")] == 0).tolist()
+    kinds = ["segment" if straight else classify(w) for w, straight in zip(arc.weight, chords)]
+    ends = zip(arc.x0, arc.y0), zip(arc.x2, arc.y2)
+    return together(Piece, kinds, zip(arc.a, arc.b), *ends, zip(arc.mx, arc.my), arc.weight, arc.error)
 
 
 def member(values: Sequence[float]) -> float:
     """Q of a row of the kernels' table."""
-    return _row(values).q
+    from osculant.kernels.conics.records import Row
+
+    return Row(*values).q
 
 
 def segment(interval: tuple[float, float], start: Point, end: Point) -> Piece:
@@ -88,7 +81,7 @@ PARABOLA = Primitive(
     theory=("parabolic",),
     itself=Itself("conic", ("parabolic",), lambda exact: exact.parabola, turning=math.pi),
     theorems={("hausdorff", "bitangent"): Theorem("remark 3.3.5", half_turns=1, member=member)},
-    piece=parabola_piece,
+    pieces=pieces,
     segment=segment,
     bridge=bridge,
 )
@@ -112,7 +105,7 @@ CONIC = Primitive(
         ("area", "equisymmetric"): Theorem("proposition 3.4.2"),
         ("area", "minimal-area"): Theorem("X3.4-5"),
     },
-    piece=conic_piece,
+    pieces=pieces,
     segment=segment,
     bridge=bridge,
 )

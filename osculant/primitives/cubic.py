@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from osculant.primitives.primitive import Primitive, user_point
+from osculant.primitives.primitive import Primitive, columns
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from osculant.kernels.curves.plane import Place
     from osculant.pieces.conics import Point
     from osculant.pieces.cubics import Cubic
+    from osculant.pieces.piece import Floats
 
 
 def least_distance(order: int) -> Any:
@@ -29,17 +27,19 @@ def least_area(order: int) -> Any:
     return CubicArea()
 
 
-def cubic_piece(values: Sequence[float], place: Place, error: float) -> Cubic:
-    """A row of the kernels' table (`kernels.cubics.records.Row`) as a cubic."""
-    from osculant.kernels.cubics.records import Row
-    from osculant.pieces.cubics import Cubic
+def pieces(rows: Floats, shapes: Floats) -> list[Cubic]:
+    """Shapes of cubics (`kernels.cubics.shapes.Bezier`), (n, numbers), as cubics.
 
-    row = Row(*values)
-    arm0, arm3 = row.a0 / place.scale, row.a3 / place.scale
-    start, end = user_point(place, row.x0, row.y0), user_point(place, row.x3, row.y3)
-    first = start[0] + arm0 * row.tx0, start[1] + arm0 * row.ty0 * place.side
-    last = end[0] - arm3 * row.tx3, end[1] - arm3 * row.ty3 * place.side
-    return Cubic((row.a, row.b), start, (first, last), end, error)
+    ``rows`` of the kernels' table tell nothing more.
+    """
+    from osculant.kernels.cubics.shapes import Bezier
+    from osculant.pieces.cubics import Cubic
+    from osculant.pieces.piece import together
+
+    curve = columns(Bezier, shapes)
+    inner = zip(zip(curve.x1, curve.y1), zip(curve.x2, curve.y2))
+    ends = zip(curve.x0, curve.y0), zip(curve.x3, curve.y3)
+    return together(Cubic, zip(curve.a, curve.b), ends[0], inner, ends[1], curve.error)
 
 
 def segment(interval: tuple[float, float], start: Point, end: Point) -> Any:
@@ -73,7 +73,7 @@ CUBIC = Primitive(
     # where D keeps its sign and the number of cubics with six contacts does not change, no longer arc of
     # thousands had a smaller error; elsewhere errors do fall: an observation, no proof
     theorems={},
-    piece=cubic_piece,
+    pieces=pieces,
     segment=segment,
     bridge=bridge,
     splits=(),

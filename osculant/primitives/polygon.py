@@ -5,14 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from osculant.primitives import bihelix, conic
-from osculant.primitives.primitive import Primitive, Theorem, user_point
+from osculant.primitives.primitive import Primitive, Theorem, columns
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from osculant.kernels.curves import plane, space
     from osculant.pieces.conics import Piece
     from osculant.pieces.helices import SpacePiece
+    from osculant.pieces.piece import Floats
 
 
 #: pieces touch the curve with their ends only, and their least number is among such
@@ -40,29 +38,26 @@ def space_chord(order: int) -> Any:
     return SpaceChord()
 
 
-def plane_piece(row: Sequence[float], place: plane.Place, error: float) -> Piece:
-    """A row of the kernels' table (`kernels.polygons.records`) as a segment of the plane."""
-    from osculant.kernels.operations import SHAPE
+def plane_pieces(rows: Floats, shapes: Floats) -> list[Piece]:
+    """Shapes of chords (`kernels.polygons.shapes.Segment`), (n, numbers), as segments of the plane.
+
+    ``rows`` of the kernels' table tell nothing more.
+    """
+    from osculant.kernels.polygons.shapes import Segment
     from osculant.pieces.conics import Piece
 
-    a, b, *_ = row
-    x0, y0, x1, y1 = row[SHAPE:]
-    return Piece.segment((a, b), user_point(place, x0, y0), user_point(place, x1, y1), error)
+    chords = columns(Segment, shapes)
+    ends = zip(chords.x0, chords.y0), zip(chords.x1, chords.y1)
+    return list(map(Piece.segment, zip(chords.a, chords.b), *ends, chords.error))
 
 
-def space_piece(row: Sequence[float], place: space.Place, error: float) -> SpacePiece:
-    """A row of the kernels' table as a segment in space."""
-    from dataclasses import replace
+def space_pieces(rows: Floats, shapes: Floats) -> list[SpacePiece]:
+    """The same in space, of `kernels.polygons.shapes.SpaceSegment`."""
+    from osculant.kernels.polygons.shapes import SpaceSegment
 
-    from osculant.kernels.operations import SHAPE
-
-    a, b, *_ = row
-    back, ends = 1.0 / place.scale, row[SHAPE:]
-
-    def user(x: float, y: float, z: float) -> tuple[float, float, float]:
-        return x * back + place.x, y * back + place.y, z * back + place.z
-
-    return replace(bihelix.segment((a, b), user(*ends[:3]), user(*ends[3:])), error=error)
+    chords = columns(SpaceSegment, shapes)
+    ends = zip(chords.x0, chords.y0, chords.z0), zip(chords.x1, chords.y1, chords.z1)
+    return list(map(bihelix.segment, zip(chords.a, chords.b), *ends, chords.error))
 
 
 def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
@@ -74,9 +69,7 @@ def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) ->
 
 def space_bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:
     """The chord between two frames in space."""
-    from dataclasses import replace
-
-    return [replace(bihelix.segment(interval, start[0], end[0]), error=error)]
+    return [bihelix.segment(interval, start[0], end[0], error)]
 
 
 POLYGON = Primitive(
@@ -88,7 +81,7 @@ POLYGON = Primitive(
     theory=(),
     itself=None,
     theorems={("hausdorff", "inscribed"): Theorem("X3.1-2")},
-    piece=plane_piece,
+    pieces=plane_pieces,
     segment=conic.segment,
     bridge=bridge,
     smooth=False,
@@ -104,7 +97,7 @@ SPACE_POLYGON = Primitive(
     theory=(),
     itself=None,
     theorems={},
-    piece=space_piece,
+    pieces=space_pieces,
     segment=bihelix.segment,
     bridge=space_bridge,
     splits=(),

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from osculant.cas.laws import law as laws
 
 if TYPE_CHECKING:
-    from osculant.kernels.curves.plane import Place
+    from osculant.pieces.piece import Floats
 
 #: how errors are measured, the default first
 METRICS = tuple(laws.METRICS)
@@ -80,7 +81,7 @@ class Primitive:
         fewest: what is said beside the number of pieces where they do not, as "fewest" means other splines.
         bridge: (interval, frame, frame, error) → small pieces from one frame to another, whatever the curve
             does between (`osculant.pieces.bridges`); None if there is nothing of the kind.
-        piece: (row of the kernel's table, the kernel's place of the curve, error) → the piece.
+        pieces: (rows of the kernel's table, what `osculant.kernels.shapes` makes of them) → the pieces.
         segment: (interval, start, end) → the straight piece.
     """
 
@@ -92,7 +93,7 @@ class Primitive:
     theory: tuple[str, ...]
     itself: Itself | None
     theorems: Mapping[tuple[str, str], Theorem]
-    piece: Callable[[Sequence[float], Any, float], Any]
+    pieces: Callable[[Floats, Floats], list[Any]]
     segment: Callable[[tuple[float, float], Any, Any], Any]
     splits: tuple[str, ...] = ("inflection",)
     monotone: bool = True
@@ -136,23 +137,23 @@ class Fit:
         """Why the number of pieces that the search finds is the least; None if nothing says so."""
         return self.primitive.theorems.get((self.metric, self.rule))
 
-    @property
+    @cached_property
     def order(self) -> int:
         """The error of one short arc is of this order in its length."""
         return self.law().order
 
-    @property
+    @cached_property
     def degree(self) -> int:
         """1 if the error is a length, 2 if it is an area."""
         return self.law().dimension
 
 
-def user_point(place: Place, x: float, y: float) -> tuple[float, float]:
-    """A point of the plane in the user's coordinates, from the kernel's, by the place of its curve.
+def columns(record: Any, table: Floats) -> Any:
+    """The columns of a table, as lists, under the names of a `NamedTuple`'s fields.
 
-    >>> from osculant.kernels.curves.plane import Place
-    >>> user_point(Place(1.0, 2.0, 0.5, -1.0, 0.0), 0.5, 0.5)
-    (2.0, 1.0)
+    >>> import numpy as np
+    >>> from osculant.kernels.polygons.shapes import Segment
+    >>> columns(Segment, np.arange(14.0).reshape(2, 7)).b
+    [1.0, 8.0]
     """
-    back = 1.0 / place.scale
-    return x * back + place.x, y * back * place.side + place.y
+    return record(*table.T.tolist())

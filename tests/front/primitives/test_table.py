@@ -159,3 +159,24 @@ def test_choices_that_do_not_exist():
         choose("conic", "area", "nice")
     with pytest.raises(DomainError, match="'nice' is unknown: choose one of equioscillating, thesis"):
         choose("bihelix", "hausdorff", "nice", dimension=3)
+
+
+@pytest.mark.parametrize("fit", FITS, ids=name_of)
+def test_pieces_of_a_table_are_what_their_constructor_makes(fit):
+    curve = SPIRALS[fit.primitive.dimension]
+    spline = osc.approximate(curve, fit.primitive.name, 1e-2, metric=fit.metric, rule=fit.rule)
+    ends = curve.jets(spline.knots)[..., 0]
+    for piece, start, end in zip(spline.pieces, ends[:-1], ends[1:], strict=True):
+        again = replace(piece)
+        assert again == piece and list(vars(again)) == list(vars(piece))[: len(vars(again))]
+        assert type(piece.error) is float and {type(t) for t in piece.interval} == {float}
+        assert np.allclose(piece.start, start, rtol=0, atol=1e-14)
+        assert np.allclose(piece.end, end, rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize("weight", [-1.0, math.inf, math.nan])
+def test_a_table_with_an_arc_that_is_not_bounded_is_refused(weight):
+    shapes = np.zeros((2, 10))
+    shapes[:, -1] = 0.5, weight
+    with pytest.raises(DomainError, match="bounded only for a weight above -1"):
+        PRIMITIVES[2]["conic"].pieces(np.ones((2, 13)), shapes)
