@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any, Generic, TypeVar
 
 from flint import arb, arb_series, ctx
 
 from osculant.cas.formulas.expression import Node
 from osculant.cas.numbers.fields import Balls
-from osculant.cas.numbers.taylor import Program, program
+from osculant.cas.numbers.taylor import Program, program, pruned
 
 #: bits of all decisions; the roots of simple zeros are located to about this accuracy
 PRECISION = 320
@@ -68,11 +68,21 @@ class FormulaBalls(Generic[Jet]):
         self.jet_type = jet_type
         self.variable = variable
         self.field = Balls()
-        self.program = cache(self._write)
+        self._programs: dict[int, Program] = {}
 
-    def _write(self, order: int) -> Program:
-        """The program for the normalised Taylor coefficients 0…order, written once."""
-        return program(self.coordinates, order, self.variable, normalised=True)
+    def program(self, order: int) -> Program:
+        """The program for the normalised Taylor coefficients 0…order, written once.
+
+        It is a part of those for higher orders: where there is one, nothing has to be written.
+        """
+        if order not in self._programs:
+            whole = self._programs.get(max(self._programs, default=-1))
+            if whole is not None and len(whole.outputs[0]) > order:
+                part = pruned(whole.instructions, [row[: order + 1] for row in whole.outputs])
+            else:
+                part = program(self.coordinates, order, self.variable, normalised=True)
+            self._programs[order] = part
+        return self._programs[order]
 
     def coefficients(self, t: Any, order: int) -> list[list[Any]]:
         """Normalised Taylor coefficients 0…order of each coordinate at all points of the ball t."""

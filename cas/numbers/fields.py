@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, Protocol
@@ -30,6 +31,9 @@ class Field(Protocol):
     def power(self, base: Any, exponent: Fraction) -> Any:
         """base**exponent for base > 0."""
 
+    def precision(self) -> int:
+        """The bits that its numbers have for now, 0 if they are exact."""
+
 
 class Balls:
     """python-flint's real balls: every result encloses the true value; NaN outside the domain.
@@ -38,9 +42,13 @@ class Balls:
     """
 
     def __init__(self) -> None:
-        from flint import arb
+        from flint import arb, ctx
 
-        self._arb = arb
+        self._arb, self._context = arb, ctx
+
+    def precision(self) -> int:
+        """flint's precision."""
+        return int(self._context.prec)
 
     def number(self, value: Fraction) -> Any:
         """A ball around a rational.
@@ -97,9 +105,13 @@ class ComplexBalls:
     """python-flint's complex balls: formulas continued off the real line, to integrate."""
 
     def __init__(self) -> None:
-        from flint import acb, arb
+        from flint import acb, arb, ctx
 
-        self._acb, self._arb = acb, arb
+        self._acb, self._arb, self._context = acb, arb, ctx
+
+    def precision(self) -> int:
+        """flint's precision."""
+        return int(self._context.prec)
 
     def number(self, value: Fraction) -> Any:
         """The ball of a rational number.
@@ -137,6 +149,10 @@ class Multiprecision:
 
         self._mp = mpmath.mp
 
+    def precision(self) -> int:
+        """mpmath's precision."""
+        return int(self._mp.prec)
+
     def number(self, value: Fraction) -> Any:
         """The nearest float.
 
@@ -173,6 +189,10 @@ class ExactNumbers:
 
         self._sp = sympy
 
+    def precision(self) -> int:
+        """Exact."""
+        return 0
+
     def number(self, value: Fraction) -> Any:
         """The sympy rational.
 
@@ -201,6 +221,10 @@ class ExactNumbers:
 
 class Doubles:
     """Python's floats."""
+
+    def precision(self) -> int:
+        """Of a double."""
+        return sys.float_info.mant_dig
 
     def number(self, value: Fraction) -> float:
         """The nearest float.

@@ -58,43 +58,41 @@ class Writer:
     def __init__(self, variable: str, parameters: Sequence[str] = ()) -> None:
         self.variable, self.parameters = variable, parameters
         self.steps: list[Instruction] = []
-        self.known: dict[Instruction, int] = {}
+        self.known: dict[tuple[str, tuple[int, ...], Fraction | str | None], int] = {}
         self.numbers: dict[tuple[int, int], int] = {}  # a fraction takes its time to hash
+        self.rationals: dict[int, Fraction] = {}
         self.zero = self.number(Fraction(0))
         self.one = self.number(Fraction(1))
 
     # --- single values -------------------------------------------------------------------------
     def emit(self, op: str, *args: int, value: Fraction | str | None = None) -> int:
         """The number of an instruction, written if it is new."""
-        step = Instruction(op, args, value)
-        if step not in self.known:
-            self.known[step] = len(self.steps)
-            self.steps.append(step)
-        return self.known[step]
+        step = op, args, value
+        index = self.known.get(step)
+        if index is None:
+            index = self.known[step] = len(self.steps)
+            self.steps.append(Instruction(*step))
+        return index
 
     def number(self, value: Fraction) -> int:
         """A rational."""
         pair = value.numerator, value.denominator
         if pair not in self.numbers:
             self.numbers[pair] = len(self.steps)
+            self.rationals[len(self.steps)] = value
             self.steps.append(Instruction("number", (), value))
         return self.numbers[pair]
-
-    def exact(self, index: int) -> Fraction | None:
-        """The rational that a value is, if it is one."""
-        step = self.steps[index]
-        return step.value if step.op == "number" and isinstance(step.value, Fraction) else None
 
     def add(self, a: int, b: int) -> int:
         """a + b."""
         if a == self.zero or b == self.zero:
             return b if a == self.zero else a
-        p, q = self.exact(a), self.exact(b)
-        return self.number(p + q) if p is not None and q is not None else self.emit("add", a, b)
+        p, q = self.rationals.get(a), self.rationals.get(b)
+        return self.emit("add", a, b) if p is None or q is None else self.number(p + q)
 
     def neg(self, a: int) -> int:
         """−a."""
-        p = self.exact(a)
+        p = self.rationals.get(a)
         return self.number(-p) if p is not None else self.emit("neg", a)
 
     def sub(self, a: int, b: int) -> int:
@@ -103,25 +101,25 @@ class Writer:
             return a
         if a == self.zero:
             return self.neg(b)
-        p, q = self.exact(a), self.exact(b)
-        return self.number(p - q) if p is not None and q is not None else self.emit("sub", a, b)
+        p, q = self.rationals.get(a), self.rationals.get(b)
+        return self.emit("sub", a, b) if p is None or q is None else self.number(p - q)
 
     def mul(self, a: int, b: int) -> int:
         """a·b."""
-        if self.zero in (a, b):
+        if a == self.zero or b == self.zero:
             return self.zero
-        if self.one in (a, b):
+        if a == self.one or b == self.one:
             return b if a == self.one else a
-        p, q = self.exact(a), self.exact(b)
-        return (
-            self.number(p * q) if p is not None and q is not None else self.emit("mul", min(a, b), max(a, b))
-        )
+        p, q = self.rationals.get(a), self.rationals.get(b)
+        if p is not None and q is not None:
+            return self.number(p * q)
+        return self.emit("mul", a, b) if a < b else self.emit("mul", b, a)
 
     def div(self, a: int, b: int) -> int:
         """a/b."""
         if a == self.zero or b == self.one:
             return a
-        p, q = self.exact(a), self.exact(b)
+        p, q = self.rationals.get(a), self.rationals.get(b)
         return self.number(p / q) if p is not None and q else self.emit("div", a, b)
 
     def scale(self, a: int, factor: Fraction) -> int:

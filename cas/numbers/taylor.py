@@ -12,11 +12,15 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from osculant.cas.formulas.expression import Node
 from osculant.cas.numbers.fields import Field
 from osculant.cas.numbers.recurrences import Instruction, write
+
+#: precisions for which a program keeps its numbers
+MOST_PLANS = 4
 
 
 @dataclass(frozen=True)
@@ -44,22 +48,47 @@ class Program:
     def trace(self, at: Any, field: Field) -> list[Any]:
         """The value of every instruction at ``at``."""
         values: list[Any] = []
-        for step in self.instructions:
-            op, args = step.op, step.args
-            if op in _ARITHMETIC:
-                value = _ARITHMETIC[op](*[values[index] for index in args])
-            elif op == "number":
-                value = field.number(step.value)
-            elif op == "variable":
-                value = at
-            elif op == "call":
-                value = field.function(step.value)(values[args[0]])
-            elif op == "power":
-                value = field.power(values[args[0]], step.value)
+        append = values.append
+        for work, first, second in self._plan(field):
+            if second >= 0:
+                append(work(values[first], values[second]))
+            elif first >= 0:
+                append(work(values[first]))
             else:
-                value = field.constant(step.value)
-            values.append(value)
+                append(at if work is None else work)
         return values
+
+    def _plan(self, field: Field) -> list[tuple[Any, int, int]]:
+        """For each instruction what is called with which values, −1 for none.
+
+        What takes no values is a number itself, or None for the variable.  All is kept for a field's
+        precision, which is that of numbers.
+        """
+        key = type(field), field.precision()
+        plan = self._plans.get(key)
+        if plan is None:
+            plan = [self._planned(step, field) for step in self.instructions]
+            if len(self._plans) == MOST_PLANS:
+                self._plans.clear()
+            self._plans[key] = plan
+        return plan
+
+    @cached_property
+    def _plans(self) -> dict[Any, list[tuple[Any, int, int]]]:
+        return {}
+
+    @staticmethod
+    def _planned(step: Instruction, field: Field) -> tuple[Any, int, int]:
+        op, args, value = step
+        if op in _ARITHMETIC:
+            return _ARITHMETIC[op], args[0], args[1] if len(args) == 2 else -1
+        if op == "call":
+            return field.function(value), args[0], -1
+        if op == "power":
+            return lambda base: field.power(base, value), args[0], -1
+        if op == "variable":
+            return None, -1, -1
+        return (field.number(value) if op == "number" else field.constant(value)), -1, -1
 
 
 _ARITHMETIC: dict[str, Callable[..., Any]] = {
@@ -104,6 +133,6 @@ def pruned(steps: Sequence[Instruction], outputs: Sequence[Sequence[int]]) -> Pr
     place = {old: new for new, old in enumerate(order)}
     kept = [steps[old] for old in order]
     return Program(
-        tuple(Instruction(s.op, tuple(place[a] for a in s.args), s.value) for s in kept),
+        tuple(Instruction(op, tuple(map(place.__getitem__, args)), value) for op, args, value in kept),
         tuple(tuple(place[index] for index in output) for output in outputs),
     )

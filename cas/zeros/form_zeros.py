@@ -41,6 +41,8 @@ MULTIPLE = (2, 10, 30, 90)
 BEYOND = 16
 #: unresolved boxes that are nearer than this many widths are one place
 NEAR = 256
+#: bits of the interval to which a simple zero is known, if nothing else is asked
+BITS = PRECISION // 2
 #: two zeros nearer than this, in parts of the interval, are one knot
 SAME = 2.0**-60
 #: probes that may show that a form does not vanish identically
@@ -153,18 +155,19 @@ class FormZeros(Generic[Jet]):
                 raise DomainError(undefined(self.curve, *infinite, (low, high)))
 
     def within(
-        self, low: Node, high: Node, names: Sequence[str], limit: int | None = None
+        self, low: Node, high: Node, names: Sequence[str], limit: int | None = None, bits: int = BITS
     ) -> list[SpecialPoint]:
         """The zeros of the named forms in [low, high], in order, merged where they coincide.
 
         Points at the ends are reported too. The curve has to be finite there: see `require_finite`.
-        After ``limit`` boxes, by default `isolate.WORK_LIMIT`, what is left is undecided.
+        After ``limit`` boxes, by default `isolate.WORK_LIMIT`, what is left is undecided.  Simple zeros are
+        known to 2^-bits of the interval.
         """
         with precision(PRECISION):
             a, b = constant(low), constant(high)
             multiple = _MultipleZeros(self, (low, high))
             found, ends = self._isolated(multiple, names, a, b, limit)
-            accuracy = (b - a) * arb(2) ** -(PRECISION // 2)
+            accuracy = (b - a) * arb(2) ** -bits
             points = self._simple(found, accuracy) + multiple.points + ends
             known = [point.at for point in points]
             small = (b - a) * NEAR * arb(2) ** -SMALLEST
@@ -254,6 +257,10 @@ class FormZeros(Generic[Jet]):
 
     def series(self, name: str, t: Any, length: int) -> list[Any] | None:
         """Taylor coefficients of one form at all points of the ball t; None where not finite."""
+        written = self.look.written(name, length)
+        if written is not None:
+            [series] = written.run(t, self.curve.field)
+            return series if all(c.is_finite() for c in series) else None
         return self.curve.form_series(self.forms[name].form, t, self.forms[name].order, length)
 
     def _simple(self, found: Isolation, accuracy: Any) -> list[SpecialPoint]:

@@ -17,6 +17,7 @@ from flint import arb
 
 from osculant.cas.errors import UndecidedError
 from osculant.cas.numbers.balls import ball
+from osculant.cas.numbers.taylor import Program
 
 #: intervals are divided here, not in the middle, where formulas like to have their special points
 CUT = 0.48713
@@ -66,6 +67,9 @@ class Look(Protocol):
     def unclear(self, low: Any, high: Any) -> list[tuple[Any, Any]]:
         """Intervals outside of which the functions are finite."""
 
+    def written(self, name: str, length: int) -> Program | None:
+        """The program for a function's first Taylor coefficients, if it is written already."""
+
 
 class Blind:
     """The look of who sees nothing."""
@@ -77,6 +81,10 @@ class Blind:
     def unclear(self, low: Any, high: Any) -> list[tuple[Any, Any]]:
         """The whole interval."""
         return [(low, high)]
+
+    def written(self, name: str, length: int) -> Program | None:
+        """None."""
+        return None
 
 
 def taylor_form(at_centre: list[Any], over: list[Any], h: Any) -> Any:
@@ -231,13 +239,21 @@ def refine(
     """The zero of a monotone function in [low, high] as a ball no wider than about ``target``.
 
     Interval Newton steps, bisection where they do not halve.  ``value`` and ``slope`` enclose the
-    function and its derivative over a ball.  None if there is no zero; where the sign at an end of
-    the interval cannot be told, that end is returned: the zero is there or indistinguishably near.
+    function and its derivative over a ball.  A step that ends inside the interval proves that there is a
+    zero; else the signs at its ends tell.  None if there is no zero; where the sign at an end of the
+    interval cannot be told, that end is returned: the zero is there or indistinguishably near.
 
     >>> zero = refine(lambda t: t * t - 2, lambda t: 2 * t, arb(1), arb(2), arb("1e-12"))
     >>> abs(zero - arb(2).sqrt()) < 1e-11
     True
     """
+    while (inside := _newton(value, slope, low, high)) is not None:
+        slow = 2 * (inside[1] - inside[0]) > high - low
+        low, high = inside
+        if not high - low > target:
+            return ball(low, high)
+        if slow:
+            break
     at_low, at_high = value(low), value(high)
     if at_low.contains(0):
         return arb(low)
@@ -265,3 +281,13 @@ def refine(
         if not high - low < width:
             break
     return ball(low, high)
+
+
+def _newton(
+    value: Callable[[Any], Any], slope: Callable[[Any], Any], low: Any, high: Any
+) -> tuple[Any, Any] | None:
+    """The interval after a Newton step, if it lies inside the one before: then the zero in it is proved."""
+    middle = arb(((low + high) / 2).mid())
+    newton = middle - value(middle) / slope(ball(low, high))
+    inside = newton.is_finite() and newton > low and newton < high
+    return (arb(newton.lower()), arb(newton.upper())) if inside else None

@@ -21,7 +21,7 @@ from osculant.cas.formulas.expression import Node
 from osculant.cas.jets.balls import SpaceBalls
 from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.balls import PRECISION, constant, precision
-from osculant.cas.zeros.form_zeros import FormZeros, Looks, SpecialPoint, ZeroForm
+from osculant.cas.zeros.form_zeros import BITS, FormZeros, Looks, SpecialPoint, ZeroForm
 
 #: a place inside the interval, unlikely to be a zero of anything
 INSIDE = "0.38196601"
@@ -54,6 +54,7 @@ def special_points(
     planar: bool = False,
     limit: int | None = None,
     look: Looks | None = None,
+    bits: int = BITS,
 ) -> list[SpecialPoint]:
     """The special points of the given kinds in [low, high], in order, merged where they coincide.
 
@@ -66,6 +67,7 @@ def special_points(
         planar: whether the curve is known to lie in a plane.
         limit: boxes that are looked at, by default `isolate.WORK_LIMIT`.
         look: makes what looks first.
+        bits: of the interval, to which simple zeros are known.
 
     Points at the ends are reported too.
 
@@ -79,7 +81,7 @@ def special_points(
     if planar and "inflection" in names:
         with precision(PRECISION):
             forms["inflection"] = _bend_in_plane(curve, constant(low), constant(high))
-    return FormZeros(curve, forms, look).within(low, high, names, limit)
+    return FormZeros(curve, forms, look).within(low, high, names, limit, bits)
 
 
 def _bend_in_plane(curve: SpaceBalls, low: Any, high: Any) -> ZeroForm[SpaceJet]:

@@ -39,6 +39,8 @@ STRAIGHT = 0.02
 CROWD = 4
 #: what a curve may turn by, in radians, next to its end: within this part of what is passed over
 HOOK, NEXT = 0.02, 2.0**-9
+#: ends of an arc so far apart, in parts of its allowed extent, are seen in doubles to be too far
+SEEN = 2.0
 #: boxes in which an arc is enclosed: few, more where these tell nothing
 BOXES = (8, 32, 128, 512)
 #: boxes in which a curve that may be flat is enclosed, and the terms of the Taylor forms there and above
@@ -103,12 +105,16 @@ def blemishes(
 
     places = [(at, "asked" in point.kinds) for at, point in knots] + [(arb(t), False) for t in stuck]
     places.sort(key=lambda place: as_float(place[0]))
-    groups = [places[:1]]
-    for place in places[1:]:
-        if _reach(curve, groups[-1][0][0], place[0], extent) <= extent:
+    points = curve.jets([as_float(at) for at, _ in places])[..., 0].tolist()
+    groups, first = [places[:1]], points[0]
+    for place, point in zip(places[1:], points[1:]):
+        # doubles see enough where the distance is not nearly the extent
+        far = math.dist(first, point) > SEEN * extent
+        if not far and _reach(curve, groups[-1][0][0], place[0], extent) <= extent:
             groups[-1].append(place)
         else:
             groups.append([place])
+            first = point
     spans = [(group[0][0], group[-1][0]) for group in groups]
     small = []
     for i, (group, (low, _)) in enumerate(zip(groups, spans)):
@@ -205,17 +211,29 @@ def _away(curve: FormulaCurve, at: Any, end: Any, far: float) -> Any:
 
 
 def _is_hook(curve: FormulaCurve, end: Any, inside: Any, far: float) -> bool:
-    """Whether the curve turns by more than `HOOK` before it is so far from its end, where it is regular."""
+    """Whether a curve, regular at its end, turns by more than `HOOK` until it is ``far`` off, or twice so."""
     from flint import arb
 
-    tangents = []
-    for at in (end, _away(curve, end, (end + inside) / 2, far)):
-        parts = [row[1] for row in curve.balls.coefficients(at, 1)]
-        length = sum((part * part for part in parts), arb(0)).sqrt()
-        if not length > 0:
-            return False
-        tangents.append([part / length for part in parts])
-    return bool(sum((u * v for u, v in zip(*tangents)), arb(0)) < math.cos(HOOK))
+    (direction, speed), centre = _tangent(curve, end), _point(curve, end)
+    if not speed > 0:
+        return False
+    most = (inside - end) / 2
+    step = arb(far / speed.mid() * (1 if most > 0 else -1))
+    for _ in range(HALVINGS):
+        if abs(step) > abs(most) or math.dist(_point(curve, end + step), centre) >= far:
+            break
+        step *= 2
+    other, length = _tangent(curve, arb((end + (step if abs(step) < abs(most) else most)).mid()))
+    return bool(length > 0 and sum((u * v for u, v in zip(direction, other)), arb(0)) < math.cos(HOOK))
+
+
+def _tangent(curve: FormulaCurve, at: Any) -> tuple[list[Any], Any]:
+    """(unit tangent, speed) as balls; not finite where the speed may be 0."""
+    from flint import arb
+
+    parts = [row[1] for row in curve.balls.coefficients(at, 1)]
+    speed = sum((part * part for part in parts), arb(0)).sqrt()
+    return [part / speed for part in parts], speed
 
 
 def _point(curve: FormulaCurve, t: Any) -> tuple[float, ...]:

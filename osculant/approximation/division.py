@@ -316,7 +316,9 @@ def _joints(
     joints = [_passing(curve, blemish, lead) for blemish in passed_over]
     for at, point in knots:
         if not any(as_float(b.low) <= as_float(at) <= as_float(b.high) for b in passed_over):
-            joints.append(_Joint(at, _frame(curve, point, -1), at, _frame(curve, point, 1), as_float(at)))
+            end = _frame(curve, point, -1)
+            start = end if end.order % 2 else _frame(curve, point, 1)  # it may turn back
+            joints.append(_Joint(at, end, at, start, as_float(at)))
     return sorted(joints, key=lambda joint: as_float(joint.low))
 
 

@@ -276,6 +276,7 @@ class FormulaCurve(ABC):
     def special_points(self, forms: Sequence[str]) -> list[SpecialPoint]:
         """The zeros of the named forms on the interval, in order, also at its ends.
 
+        Simple ones are known to 2^-96 of the interval, more than doubles can tell.
         The curve has to be finite (`check_finite`), and no form to vanish identically.
 
         >>> from osculant.curves.plane import PlaneCurve
@@ -292,7 +293,9 @@ class FormulaCurve(ABC):
 
     def _special_points_of_jets(self, forms: Sequence[str], limit: int | None = None) -> list[SpecialPoint]:
         """The same by the forms over jets, balls looking at so many boxes only."""
-        return self.zeros.within(*self.ends, forms, limit)
+        from osculant.curves.special import BITS
+
+        return self.zeros.within(*self.ends, forms, limit, BITS)
 
     def __repr__(self) -> str:
         where = "" if self._ends is None else f", t from {to_text(self._ends[0])} to {to_text(self._ends[1])}"

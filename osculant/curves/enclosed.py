@@ -132,21 +132,21 @@ def table_of(program: Program) -> Table:
 
     numbers = {name: code for code, name in enumerate(OPERATIONS)}
     numbers |= {f"call {name}": CALL + code for code, name in enumerate(NAMES)}
-    steps = program.instructions
-    codes, first, second = np.zeros((3, len(steps)), dtype=np.int64)
-    balls = np.zeros((len(steps), 2))
-    for i, step in enumerate(steps):
-        op = step.op
+    codes, first, second, balls = [], [], [], []
+    for op, args, value in program.instructions:
+        ball = 0.0, 0.0
         if op in ("number", "constant"):
-            balls[i], op = _ball(step.value), "number"
+            ball, op = _ball(value), "number"
         elif op == "power":
-            balls[i, 0] = float(step.value)
+            ball = float(value), 0.0
         elif op == "call":
-            op = f"call {step.value}"
-        codes[i] = numbers[op]
-        if step.args:
-            first[i], second[i] = step.args[0], step.args[-1]
-    return Table(codes, first, second, balls)
+            op = f"call {value}"
+        codes.append(numbers[op])
+        balls.append(ball)
+        first.append(args[0] if args else 0)
+        second.append(args[-1] if args else 0)
+    whole = np.array([codes, first, second], dtype=np.int64)
+    return Table(whole[0], whole[1], whole[2], np.array(balls, dtype=np.float64).reshape(-1, 2))
 
 
 def _ball(value: Any) -> tuple[float, float]:

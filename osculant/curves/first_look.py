@@ -2,7 +2,7 @@
 
 Where it finds that a form has no zero, or at most one, this rests on the C library's functions being right to
 the 8 ulps that `osculant.kernels.enclosures.balls` allows them.  That there is one, ball arithmetic confirms
-when it narrows the bracket.
+when it narrows the bracket, by one interval Newton step as a rule.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from osculant.curves.enclosed import enclosed, joined, table_of
 
 if TYPE_CHECKING:
     from osculant.cas.numbers.balls import FormulaBalls
+    from osculant.cas.numbers.taylor import Program
     from osculant.cas.zeros.form_zeros import ZeroForm
     from osculant.cas.zeros.isolate import Isolation
     from osculant.kernels.enclosures.programs import Table
@@ -68,12 +69,24 @@ class FirstLook:
     def __init__(self, curve: FormulaBalls[Any], forms: Mapping[str, ZeroForm[Any]]) -> None:
         self.curve, self.forms = curve, forms
         self._programs: dict[tuple[str, ...], tuple[Table, Any]] = {}
+        self._written: dict[tuple[str, int], Program] = {}
 
     def unclear(self, low: Any, high: Any) -> list[tuple[Any, Any]]:
         """Intervals of [low, high] outside of which the curve is finite."""
         interval = _Interval(low, high)
         found = enclosed(self.curve).unclear(interval.a, interval.b) if interval.is_finite else None
         return [(low, high)] if found is None else [interval.exact(*part) for part in found]
+
+    def written(self, name: str, length: int) -> Program | None:
+        """The program for a form's first Taylor coefficients; None if they are not among those looked at."""
+        known = self._written.get((name, TERMS))
+        if known is None or length > TERMS:
+            return None
+        if (name, length) not in self._written:
+            from osculant.cas.numbers.taylor import pruned
+
+            self._written[name, length] = pruned(known.instructions, [known.outputs[0][:length]])
+        return self._written[name, length]
 
     def __call__(self, names: Sequence[str], low: Any, high: Any) -> Isolation:
         """Brackets of simple zeros on [low, high], and what is open.
@@ -118,6 +131,7 @@ class FirstLook:
         if names not in self._programs:
             import numpy as np
 
+            from osculant.cas.numbers.taylor import Program
             from osculant.cas.zeros.programs import form_program
             from osculant.kernels.enclosures.isolation import Forms
 
@@ -140,5 +154,7 @@ class FirstLook:
                 self.curve.variable,
             )
             rows, leading = np.array(program.outputs), np.searchsorted(owners, range(len(forms)))
+            for name, first in zip(names, leading.tolist()):
+                self._written[name, TERMS] = Program(program.instructions, (program.outputs[first],))
             self._programs[names] = table_of(program), Forms(rows, np.array(owners), leading)
         return self._programs[names]

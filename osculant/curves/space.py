@@ -78,9 +78,10 @@ class SpaceCurve(FormulaCurve):
         """
         from osculant.cas.zeros.space import special_points
         from osculant.curves.first_look import FirstLook
+        from osculant.curves.special import BITS
 
         planar = "inflection" in forms and self.vanishes("planar") and self.exact.planar is True
-        return special_points(self.balls, *self.ends, forms, planar, limit, FirstLook)
+        return special_points(self.balls, *self.ends, forms, planar, limit, FirstLook, BITS)
 
     @property
     def frame(self) -> tuple[Any, Any, Any]:

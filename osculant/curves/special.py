@@ -31,6 +31,8 @@ FORMS = {
 }
 
 
+#: bits of the interval to which the points are known: more than doubles can tell, also near others
+BITS = 96
 #: boxes in which balls seek the zeros of forms at first, and those of one factor, so that the attempt costs
 #: little where it fails
 SOON, LIMIT = 300, 2500
@@ -72,7 +74,7 @@ def _zeros(curve: FormulaCurve, factor: Node, name: str) -> list[SpecialPoint]:
 
     balls: FormulaBalls[Any] = FormulaBalls([factor], first)
     forms: dict[str, ZeroForm[Any]] = {name: ZeroForm(lambda value: value, 0)}
-    return FormZeros(balls, forms, FirstLook).within(*curve.ends, [name], LIMIT)
+    return FormZeros(balls, forms, FirstLook).within(*curve.ends, [name], LIMIT, BITS)
 
 
 def together(curve: FormulaCurve, names: Sequence[str], of_jets: OfJets) -> list[SpecialPoint]:

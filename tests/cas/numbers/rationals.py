@@ -11,6 +11,10 @@ from osculant.cas.errors import DomainError
 class Rationals:
     """Exact rational numbers: polynomials and rational functions only."""
 
+    def precision(self) -> int:
+        """Exact."""
+        return 0
+
     def number(self, value: Fraction) -> Fraction:
         """The rational itself."""
         return value

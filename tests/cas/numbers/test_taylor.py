@@ -17,7 +17,8 @@ from hypothesis import strategies as st
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.formulas.expression import FUNCTIONS, Node, call, number, power
 from osculant.cas.formulas.graph import fold
-from osculant.cas.formulas.parser import parse
+from osculant.cas.formulas.parser import parse, parse_tuple
+from osculant.cas.jets.balls import CurveBalls
 from osculant.cas.numbers import recurrences
 from osculant.cas.numbers.balls import ball, precision
 from osculant.cas.numbers.fields import Balls, ExactNumbers, Multiprecision
@@ -398,3 +399,33 @@ def test_another_variable_is_an_error():
     with pytest.raises(FormulaError, match=r"'s'; only 't'"):
         program([parse("t + s", ("s", "t"))], 2)
     assert program([parse("s^2", ("s",))], 2, "s").run(Fraction(3), Rationals()) == [[9, 6, 2]]
+
+
+def test_a_program_takes_its_numbers_at_the_precision_of_each_run():
+    compiled = program([parse("t/3 + pi")], 0)
+    with precision(64):
+        coarse = compiled.run(arb(1), Balls())[0][0]
+    with precision(320):
+        fine = compiled.run(arb(1), Balls())[0][0]
+        exact = arb(1) / 3 + arb.pi()
+        assert fine.overlaps(exact) and fine.rad() < 1e-90
+        assert coarse.contains(exact) and coarse.rad() > 1e-25
+    with precision(64):
+        assert compiled.run(arb(1), Balls())[0][0].rad() == coarse.rad()
+    with mpmath.workdps(40):
+        assert (
+            abs(compiled.run(mpmath.mpf(1), Multiprecision())[0][0] - (mpmath.mpf(1) / 3 + mpmath.pi)) < 1e-38
+        )
+
+
+@pytest.mark.parametrize("text", ["t*cos(t), t^2*sin(t)/7", "t, exp(t)/(1+t^2)", "sqrt(t), atan(3*t)"])
+def test_a_program_of_low_order_is_part_of_one_of_high_order(text):
+    alone, after = CurveBalls(parse_tuple(text)), CurveBalls(parse_tuple(text))
+    after.program(8)
+    with precision(320):
+        for order in (0, 1, 2, 5):
+            one, other = (curve.coefficients(arb("1.3"), order) for curve in (alone, after))
+            assert [len(row) for row in other] == [order + 1] * 2
+            pairs = [pair for rows in zip(one, other, strict=True) for pair in zip(*rows, strict=True)]
+            assert all(p.mid() == q.mid() and p.rad() == q.rad() for p, q in pairs)
+            assert len(after.program(order).instructions) == len(alone.program(order).instructions)

@@ -502,6 +502,26 @@ def test_refine(root):
         assert isolate.refine(value, slope, r + arb(1) / 100, arb(3), arb(2) ** -150) is None
 
 
+@pytest.mark.parametrize("width", [1e-3, 1e-9, 1e-15])
+def test_refine_takes_one_look_where_newton_proves_the_zero(width):
+    looks = []
+    with precision(PRECISION):
+        r = arb(2).sqrt()
+
+        def value(t):
+            looks.append(t)
+            return t * t - 2
+
+        def wrong(t):  # never inside: its zero is not there
+            return t * t - 2 + 3 * arb(width)
+
+        low, high = arb((r - width).mid()), arb((r + width / 2).mid())
+        zero = isolate.refine(value, lambda t: 2 * t, low, high, arb(width) / 1000)
+        assert zero.overlaps(r) and zero.rad() < width / 1000
+        assert len(looks) <= 3
+        assert isolate.refine(wrong, lambda t: 2 * t, low, high, arb(width) / 1000) is None
+
+
 def test_refine_at_an_end():
     with precision(PRECISION):
         pi = arb.pi()
