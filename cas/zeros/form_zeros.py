@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 from typing import Any, Generic, TypeVar
 
@@ -196,6 +196,7 @@ class FormZeros(Generic[Jet]):
         found = isolate(self.evaluate, decide, names, low, high, limit, boxes)
         for name in names:
             found.brackets[name] += begun.brackets[name]
+        found.slopes = begun.slopes
         ends: list[SpecialPoint] = []
         for name in flat:
             for start, end in self._told(name, low, high):
@@ -282,7 +283,9 @@ class FormZeros(Generic[Jet]):
                 return taylor_form(differentiated(at), differentiated(over), t - centre)
 
             for low, high in brackets:
-                zero = refine(value, slope, low, high, accuracy)
+                known = found.slopes.get((name, float(low.mid())))
+                steep = slope if known is None else partial(_always, known)
+                zero = refine(value, steep, low, high, accuracy)
                 if zero is not None:
                     points.append(SpecialPoint(zero, frozenset([name])))
         return points
@@ -291,6 +294,10 @@ class FormZeros(Generic[Jet]):
         """Whether the first ``multiplicity`` Taylor coefficients of a form vanish exactly at a constant."""
         wanted = self.forms[name]
         return order_of_zero(self.curve, wanted.form, wanted.order, candidate, multiplicity)
+
+
+def _always(known: Any, t: Any) -> Any:
+    return known
 
 
 def _joined(boxes: list[Box]) -> list[Box]:

@@ -56,6 +56,8 @@ class Isolation:
     unresolved: list[Box] = field(default_factory=list)
     #: (function, low, high): intervals whose zeros the caller has decided by other means
     decided: list[tuple[str, Any, Any]] = field(default_factory=list)
+    #: by function and lower end, what is known of its derivative on a bracket: a ball without 0
+    slopes: dict[tuple[str, float], Any] = field(default_factory=dict)
 
 
 class Look(Protocol):

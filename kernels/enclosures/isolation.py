@@ -71,8 +71,11 @@ def model(
 @kernel
 def sharpened(
     table: Table, row: np.ndarray[Any, Any], low: float, high: float, rising: bool, room: Room
-) -> tuple[float, float]:
-    """The bracket of the one zero of a form, monotone in [low, high], as narrow as doubles can see."""
+) -> tuple[float, float, Ball]:
+    """(low, high, derivative there) of the one zero of a form, monotone in [low, high].
+
+    The bracket is as narrow as doubles can see.
+    """
     for _ in range(STEPS):
         middle, width = low + 0.5 * (high - low), high - low
         if not low < middle < high or width <= KNOWN * abs(middle):
@@ -93,7 +96,9 @@ def sharpened(
             low, high = max(low, middle - step[0] - slack), min(high, middle - step[0] + slack)
         if not high - low <= 0.75 * width:
             break
-    return low, high
+    centre = low + 0.5 * (high - low)
+    run(table, centre, max(high - centre, centre - low) * (1.0 + 2.0**-50), room.over)
+    return low, high, (room.over[row[1], 0], room.over[row[1], 1])
 
 
 @kernel
@@ -124,9 +129,9 @@ def isolate(
 ) -> Found:  # fmt: skip
     """Isolate the zeros of all forms on [low, high].
 
-    After ``budget`` boxes what is left is open.  Rows of ``brackets`` (most, 3) are zeros: form, both ends;
-    of ``open_boxes`` (most, 3) what is not decided: both ends, and a bit for each form.  If there is no room
-    for all, the numbers found are larger than the arrays.
+    After ``budget`` boxes what is left is open.  Rows of ``brackets`` (most, 5) are zeros: form, both ends,
+    the form's derivative between them, a ball; of ``open_boxes`` (most, 3) what is not decided: both ends,
+    and a bit for each form.  If there is no room for all, the numbers found are larger than the arrays.
     """
     count, capacity = forms.leading.shape[0], room.boxes.shape[0]
     first, last, zeros, left = 0, 1, 0, 0
@@ -150,8 +155,9 @@ def isolate(
                 continue
             if zeros < brackets.shape[0]:
                 bracket = brackets[zeros]
-                bracket[0] = float(k)
-                bracket[1], bracket[2] = sharpened(table, row, start, end, at_end[0] > 0.0, room)
+                one, other, slope = sharpened(table, row, start, end, at_end[0] > 0.0, room)
+                bracket[0], bracket[1], bracket[2] = float(k), one, other
+                bracket[3], bracket[4] = slope
             zeros += 1
         if still == 0:
             continue

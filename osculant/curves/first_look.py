@@ -1,8 +1,8 @@
 """A first look at the zeros of forms in enclosures of doubles, a hundred times as fast as ball arithmetic.
 
 Where it finds that a form has no zero, or at most one, this rests on the C library's functions being right to
-the 8 ulps that `osculant.kernels.enclosures.balls` allows them.  That there is one, ball arithmetic confirms
-when it narrows the bracket, by one interval Newton step as a rule.
+the 8 ulps that `osculant.kernels.enclosures.balls` allows them.  That there is one is seen by signs, and
+again by an interval Newton step that narrows the bracket: the form in balls, its slope from here.
 """
 
 from __future__ import annotations
@@ -92,9 +92,10 @@ class FirstLook:
         """Brackets of simple zeros on [low, high], and what is open.
 
         The ends are balls. Brackets have doubles as ends, where the sign is certain; what is too near to an
-        end of the interval is open.
+        end of the interval is open.  Their slopes are enclosures in doubles.
         """
         import numpy as np
+        from flint import arb
 
         from osculant.cas.zeros.isolate import Blind, Box, Isolation
         from osculant.kernels.enclosures.isolation import Room, isolate
@@ -105,7 +106,7 @@ class FirstLook:
         table, forms = self._program(tuple(names))
         size = len(table.codes)
         budget = min(MOST, max(LEAST, int(BUDGET / (2 * size))))
-        brackets, boxes = np.empty((ZEROS, 3)), np.empty((OPEN, 3))
+        brackets, boxes = np.empty((ZEROS, 5)), np.empty((OPEN, 3))
         room = Room(np.empty((size, 2)), np.empty((size, 2)), np.empty((budget + 2, 3)))
         found = isolate(table, forms, interval.a, interval.b, budget, room, brackets, boxes)
         if found.brackets > ZEROS or found.open > OPEN:
@@ -113,11 +114,13 @@ class FirstLook:
         near = interval.near
         opened = [(start, end, int(bits)) for start, end, bits in boxes[: found.open].tolist()]
         result = Isolation({name: [] for name in names})
-        for form, start, end in brackets[: found.brackets].tolist():
+        for form, start, end, slope, radius in brackets[: found.brackets].tolist():
             if start - interval.a <= near or interval.b - end <= near:
                 opened.append((start - near, end + near, 1 << int(form)))
             else:
                 result.brackets[names[int(form)]].append(interval.exact(start, end))
+                if abs(slope) > radius:
+                    result.slopes[names[int(form)], start] = arb(slope, radius)
         for k, name in enumerate(names):
             parts = joined(sorted((start, end) for start, end, bits in opened if bits >> k & 1))
             if len(parts) > FEW:

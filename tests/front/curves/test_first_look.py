@@ -47,6 +47,9 @@ def test_brackets_hold_one_change_of_sign(text, low, high):
             for start, end in brackets:
                 signs = [curve.zeros.series(name, t, 1)[0] for t in (start, end)]
                 assert signs[0] * signs[1] < 0
+                slope = found.slopes[name, float(start.mid())]
+                inside = [curve.zeros.series(name, start + (end - start) * k / 4, 2)[1] for k in range(5)]
+                assert all(slope.contains(at) for at in inside) and not slope.contains(0)
 
 
 @given(st.lists(st.floats(-0.99, 0.99), min_size=1, max_size=4), st.integers(-8, 0))
