@@ -169,16 +169,19 @@ class FormulaCurve(ABC):
     @cached_property
     def compiled(self) -> CompiledJet:
         """Machine code for position and the first `sampled_order` derivatives."""
+        return self.compiled_to(self.sampled_order)
+
+    @kept
+    def compiled_to(self, order: int) -> CompiledJet:
+        """Machine code for position and so many derivatives, made once."""
         from osculant.codegen.jets import compile_jet
 
-        return compile_jet(self.coordinates, self.sampled_order)
+        return compile_jet(self.coordinates, order)
 
-    @cached_property
+    @property
     def jet_for_laws(self) -> CompiledJet:
         """Machine code for the derivatives that densities of laws take, `law_order` of them."""
-        from osculant.codegen.jets import compile_jet
-
-        return compile_jet(self.coordinates, self.law_order)
+        return self.compiled_to(self.law_order)
 
     def jet_for(self, law: Law) -> CompiledJet:
         """The machine code that the density of a law takes."""
@@ -242,9 +245,7 @@ class FormulaCurve(ABC):
         """
         import numpy as np
 
-        from osculant.codegen.jets import compile_jet
-
-        jet = compile_jet(self.coordinates, self.tabulated_order)  # owns the code at its address
+        jet = self.compiled_to(self.tabulated_order)
         return self._table(jet, np.ascontiguousarray(times, dtype=np.float64).ravel())
 
     @kept

@@ -65,19 +65,14 @@ class PlaneCurve(FormulaCurve):
 
         return zeros(self.balls, FirstLook)
 
-    @cached_property
-    def _longer_jet(self) -> CompiledJet:
-        from osculant.codegen.jets import compile_jet
-
-        return compile_jet(self.coordinates, self.law_order + 1)
-
     def jet_for(self, law: Law) -> CompiledJet:
         """The machine code that the density of a law takes: one derivative more for cubics."""
-        return self._longer_jet if law.jet > self.law_order else self.jet_for_laws
+        return self.compiled_to(self.law_order + (law.jet > self.law_order))
 
     def bend(self, t: Any) -> float:
         """1 if the curve bends to the left at a ball t, −1 if to the right."""
-        return -1.0 if self.balls.jet(t, 2).inflection_form < 0 else 1.0
+        form = self.zeros.series("inflection", t, 1)
+        return -1.0 if form is not None and form[0] < 0 else 1.0
 
     def _listed(self) -> tuple[Sequence[Invariant], Sequence[Invariant], int]:
         from osculant.cas.invariants.plane import LENGTHS, ORDER
