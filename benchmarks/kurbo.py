@@ -4,7 +4,7 @@ The program is that of `benchmarks/kurbo_fits`, made by ``cargo build --release`
 the crate kurbo, compiled with the curves: `fit_to_bezpath` halves the interval until each cubic is within the
 tolerance, `fit_to_bezpath_opt` seeks the fewest.  Without a program the first is called by kurbopy
 (``pip install kurbopy``), with a Python function for the curve, which then takes most of its time.  Errors
-are measured in the same way: dense points of every piece and of its arc, both ways.
+are measured in the same way (`benchmarks.peers.splines`).
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.spatial import cKDTree
 
 import osculant as osc
+from benchmarks.peers.splines import bezier, error
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -37,14 +37,8 @@ CURVES: dict[str, tuple[str, Any, Any]] = {
 TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8)
 #: so long is a job repeated, in seconds
 ENOUGH = 0.3
-#: points of a whole curve, and of its approximation
-POINTS = 20_000
-#: steps towards a nearest point
-STEPS = 4
 #: what a rival makes: name, seconds, control points (n, 4, 2)
 Fit = tuple[str, float, "Floats"]
-#: parameters (m,) → points and two derivatives at least, shape (3, 2, m)
-Jets = Callable[["Floats"], "Floats"]
 
 
 class Sampled:
@@ -78,37 +72,6 @@ def fastest(job: Callable[[], Any]) -> tuple[float, Any]:
     return least, result
 
 
-def distance(curve: Any, cubics: Floats) -> float:
-    """The larger of the distances of points of either, curve and cubics (n, 4, 2), from the other."""
-    t, u = np.linspace(*curve.interval, POINTS), np.linspace(0, len(cubics), POINTS)
-    there = [lambda at: curve.jets(at).transpose(2, 1, 0), lambda at: path(cubics, at)]
-    return max(_away(*there, u, t), _away(*reversed(there), t, u))
-
-
-def _away(onto: Jets, source: Jets, at: Floats, near: Floats) -> float:
-    """The largest distance of a source's points from their nearest ones, by Newton's method from samples."""
-    points, low, high = source(at)[0].T, near[0], near[-1]
-    t = near[cKDTree(onto(near)[0].T).query(points)[1]]
-    for _ in range(STEPS):
-        p, rate, bend = onto(t)[:3]
-        off = p - points.T
-        slope = (rate * rate).sum(0) + (off * bend).sum(0)
-        t = np.clip(t - (off * rate).sum(0) / np.where(slope > 0, slope, np.inf), low, high)
-    return float(np.hypot(*(onto(t)[0] - points.T)).max())
-
-
-def path(cubics: Floats, at: Floats) -> Floats:
-    """Points and two derivatives of consecutive cubics, the i-th from i to i + 1, shape (3, 2, m)."""
-    piece = np.clip(at.astype(int), 0, len(cubics) - 1)
-    u, (p, q, r, s) = (at - piece)[:, None], cubics[piece].transpose(1, 0, 2)
-    one, two, three = q - p, r - q, s - r
-    v = 1 - u
-    point = p + one * (1 - v**3) + two * (3 * v * u * u + u**3) + three * u**3
-    rate = 3 * (one * v * v + 2 * two * u * v + three * u * u)
-    bend = 6 * ((two - one) * v + (three - two) * u)
-    return np.stack([point.T, rate.T, bend.T])
-
-
 def by_program(program: str, name: str, curve: Any, tolerance: float) -> list[Fit]:
     """Both fits of the compiled kurbo."""
     words = [program, name, *map(repr, curve.interval), repr(tolerance)]
@@ -122,12 +85,23 @@ def by_program(program: str, name: str, curve: Any, tolerance: float) -> list[Fi
     return found
 
 
-def by_kurbopy(_name: str, curve: Any, tolerance: float) -> list[Fit]:
-    """The one fit that Python can call."""
+def by_kurbopy(curve: Any, tolerance: float) -> tuple[Callable[[], Any], Callable[[Any], list[Any]]]:
+    """The one fit that Python can call, and what reads its control points."""
     kurbo = import_module("kurbopy")
-    seconds, path = fastest(lambda: kurbo.fit_to_bezpath(Sampled(curve, kurbo), tolerance))
-    points = [[(p.x, p.y) for p in (c.p0, c.p1, c.p2, c.p3)] for c in path.segments()]
-    return [("plain", seconds, np.array(points))]
+    sampled = Sampled(curve, kurbo)
+
+    def read(path: Any) -> list[Any]:
+        fours = [(c.p0, c.p1, c.p2, c.p3) for c in path.segments()]
+        return [[(p.x, p.y) for p in four] for four in fours]
+
+    return lambda: kurbo.fit_to_bezpath(sampled, tolerance), read
+
+
+def timed_kurbopy(_name: str, curve: Any, tolerance: float) -> list[Fit]:
+    """The same, timed."""
+    fit, read = by_kurbopy(curve, tolerance)
+    seconds, path = fastest(fit)
+    return [("plain", seconds, np.array(read(path)))]
 
 
 def kernel_seconds(curve: Any, tolerance: float) -> float:
@@ -151,7 +125,7 @@ def kernel_seconds(curve: Any, tolerance: float) -> float:
 def main(words: Sequence[str]) -> int:
     """Print a line for every curve, tolerance and rival."""
     try:
-        rivals = partial(by_program, words[0]) if words else by_kurbopy
+        rivals = partial(by_program, words[0]) if words else timed_kurbopy
         if not words:
             import_module("kurbopy")
     except ImportError:
@@ -166,10 +140,10 @@ def main(words: Sequence[str]) -> int:
             own = np.array([[p.start, *p.controls, p.end] for p in spline.pieces])
             fits = [("osculant", kernel_seconds(curve, tolerance), own), *rivals(name, curve, tolerance)]
             for who, seconds, cubics in fits:
-                error = distance(curve, cubics) / tolerance
+                off = error(curve, np.array([bezier(*four) for four in cubics])) / tolerance
                 each = 1e6 * seconds / len(cubics)
                 print(
-                    f"| {name} | {tolerance:.0e} | {who} | {len(cubics)} | {error:.4f} | {each:.1f} |",
+                    f"| {name} | {tolerance:.0e} | {who} | {len(cubics)} | {off:.4f} | {each:.1f} |",
                     flush=True,
                 )
     return 0

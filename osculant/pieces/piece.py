@@ -106,14 +106,14 @@ class OfArcs:
         return around(arc.bounding_box() for arc in self.arcs)
 
 
-def together(record: type[Record], *columns: Iterable[Any]) -> list[Record]:
+def from_columns(record: type[Record], *columns: Iterable[Any]) -> list[Record]:
     """Frozen records from a column for each of their fields, as their constructor makes them one by one.
 
     What ``__post_init__`` would check has to be sure for all of them.
 
     >>> from osculant.pieces.cubics import Cubic
     >>> inner = ((0.0, 2.0), (2.0, 2.0))
-    >>> made = together(Cubic, [(0.0, 1.0)], [(0.0, 0.0)], [inner], [(2.0, 0.0)], [1e-3])
+    >>> made = from_columns(Cubic, [(0.0, 1.0)], [(0.0, 0.0)], [inner], [(2.0, 0.0)], [1e-3])
     >>> made == [Cubic((0.0, 1.0), (0.0, 0.0), inner, (2.0, 0.0), 1e-3)]
     True
     """

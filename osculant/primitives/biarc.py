@@ -20,7 +20,7 @@ def pieces(rows: Floats, shapes: Floats) -> list[Biarc]:
     """
     from osculant.kernels.biarcs.shapes import Arcs
     from osculant.pieces.biarcs import Biarc
-    from osculant.pieces.piece import together
+    from osculant.pieces.piece import from_columns
 
     arcs = columns(Arcs, shapes)
     bends = list(zip(arcs.bend0, arcs.bend1))
@@ -29,7 +29,7 @@ def pieces(rows: Floats, shapes: Floats) -> list[Biarc]:
     ]
     points = zip(arcs.x0, arcs.y0), zip(arcs.x1, arcs.y1), zip(arcs.x2, arcs.y2)
     tangents = zip(zip(arcs.tx0, arcs.ty0), zip(arcs.tx1, arcs.ty1))
-    return together(Biarc, kinds, zip(arcs.a, arcs.b), *points, tangents, bends, arcs.error)
+    return from_columns(Biarc, kinds, zip(arcs.a, arcs.b), *points, tangents, bends, arcs.error)
 
 
 def bridge(interval: tuple[float, float], start: Any, end: Any, error: float) -> list[Any]:

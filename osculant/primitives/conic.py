@@ -27,14 +27,14 @@ def pieces(rows: Floats, shapes: Floats) -> list[Piece]:
     from osculant.kernels.conics.records import Row
     from osculant.kernels.conics.shapes import Arc
     from osculant.pieces.conics import Piece, classify, require_bounded
-    from osculant.pieces.piece import together
+    from osculant.pieces.piece import from_columns
 
     arc = columns(Arc, shapes)
     require_bounded(*arc.weight)
     chords = (rows[:, Row._fields.index("q")] == 0).tolist()
     kinds = ["segment" if straight else classify(w) for w, straight in zip(arc.weight, chords)]
     ends = zip(arc.x0, arc.y0), zip(arc.x2, arc.y2)
-    return together(Piece, kinds, zip(arc.a, arc.b), *ends, zip(arc.mx, arc.my), arc.weight, arc.error)
+    return from_columns(Piece, kinds, zip(arc.a, arc.b), *ends, zip(arc.mx, arc.my), arc.weight, arc.error)
 
 
 def member(values: Sequence[float]) -> float:

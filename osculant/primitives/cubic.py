@@ -34,12 +34,12 @@ def pieces(rows: Floats, shapes: Floats) -> list[Cubic]:
     """
     from osculant.kernels.cubics.shapes import Bezier
     from osculant.pieces.cubics import Cubic
-    from osculant.pieces.piece import together
+    from osculant.pieces.piece import from_columns
 
     curve = columns(Bezier, shapes)
     inner = zip(zip(curve.x1, curve.y1), zip(curve.x2, curve.y2))
     ends = zip(curve.x0, curve.y0), zip(curve.x3, curve.y3)
-    return together(Cubic, zip(curve.a, curve.b), ends[0], inner, ends[1], curve.error)
+    return from_columns(Cubic, zip(curve.a, curve.b), ends[0], inner, ends[1], curve.error)
 
 
 def segment(interval: tuple[float, float], start: Point, end: Point) -> Any:
