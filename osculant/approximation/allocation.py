@@ -10,8 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import numpy as np
-
 from osculant.approximation.equal_errors import equalise
 from osculant.approximation.runs import Part, Progress, Run, share, whole_error
 from osculant.cas.errors import DomainError, UndecidedError
@@ -90,8 +88,9 @@ def may_be_less(part: Part, run: Run, low: float, high: float, level: float) -> 
     if run.early:
         return True
     slack = len(run) * (1 - low / level) / part.order
-    before, last = np.diff(run.knots[-3:])  # of a very short piece the error says nothing
-    return bool(min(share(float(run.errors[-1]), high, part.order), last / before) <= max(2 * slack, CLOSE))
+    before, knot, end = map(float, run.knots[-3:])
+    last = (end - knot) / (knot - before)  # of a very short piece the error says nothing
+    return min(share(float(run.errors[-1]), high, part.order), last) <= max(2 * slack, CLOSE)
 
 
 def given_pieces(parts: Sequence[Part], count: int) -> list[Run]:

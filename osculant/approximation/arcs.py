@@ -148,7 +148,7 @@ class Arcs:
                 break
             length = table[found - 1, operations.B] - table[found - 1, operations.A]
             job = job._replace(a=reached, start=self.frame_at(reached), length=length)
-        return self._run(np.concatenate(tables))
+        return self._run(tables[0] if len(tables) == 1 else np.concatenate(tables))
 
     def at_least(self, high: float) -> int:
         """A quick lower bound of the number of greedy pieces with errors at most ``high``."""
@@ -189,8 +189,10 @@ class Arcs:
 
     def _run(self, table: Floats) -> Run:
         reasons = set(table[:, operations.REASON].tolist())
+        knots = np.empty(len(table) + 1)
+        knots[:-1], knots[-1] = table[:, operations.A], table[-1, operations.B]
         return Run(
-            np.append(table[:, operations.A], table[-1, operations.B]),
+            knots,
             np.maximum(table[:, operations.ERROR] / self.unit + self.spare, self.reach),
             table,
             search.ENDS_AT_LIMIT in reasons,
