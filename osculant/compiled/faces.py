@@ -66,7 +66,7 @@ def records(family: str) -> list[Any]:
 
 
 def _of_record(record: Any) -> Iterator[Entry]:
-    from osculant.kernels import counting, course, given_knots, quadrature, search
+    from osculant.kernels import counting, course, given_knots, quadrature, search, shapes
     from osculant.kernels.curves import plane, space
 
     fit = Known(record)
@@ -81,6 +81,7 @@ def _of_record(record: Any) -> Iterator[Entry]:
     yield Entry(counting.count_larger, (*stretch, DOUBLE, DOUBLE, TABLE))
     yield Entry(course.lay_out, (fit, JET, place, ROW, TABLE))
     yield Entry(given_knots.fit_arcs, (fit, JET, place, ROW, frame, frame, TABLE, TABLE))
+    yield Entry(shapes.shapes, (fit, TABLE, place, ROW, TABLE))
     yield Entry(quadrature.contents, (fit, JET, DOUBLE, ROW, ROW))
     if "density" in operations.registered()[type(record)]:
         yield Entry(quadrature.predicted, (fit, JET, DOUBLE, DOUBLE, DOUBLE))
