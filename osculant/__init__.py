@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from osculant.api import approximate, complexity, curve
     from osculant.approximation.prediction import Complexity
     from osculant.cas.errors import DomainError, FormulaError, OsculantError, ToleranceError, UndecidedError
+    from osculant.certificates.check_algebra import RejectedError
+    from osculant.certificates.checker import check
     from osculant.compiled.approximator import compile_approximator, compile_evaluator
     from osculant.curves.plane import PlaneCurve
     from osculant.curves.space import SpaceCurve
@@ -38,12 +40,14 @@ __all__ = [
     "OsculantError",
     "Piece",
     "PlaneCurve",
+    "RejectedError",
     "SpaceCurve",
     "Spline",
     "ToleranceError",
     "UndecidedError",
     "Verification",
     "approximate",
+    "check",
     "compile_approximator",
     "compile_evaluator",
     "complexity",
@@ -66,6 +70,8 @@ _HOME = {
     "Piece": "osculant.pieces.conics",
     "verify": "osculant.thesis.verification",
     "germ": "osculant.germs.map_germ",
+    "check": "osculant.certificates.checker",
+    "RejectedError": "osculant.certificates.check_algebra",
     "MapGerm": "osculant.germs.map_germ",
     "Verification": "osculant.thesis.verification",
     "OsculantError": "osculant.cas.errors",

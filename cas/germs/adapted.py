@@ -18,12 +18,11 @@ from fractions import Fraction
 from flint import fmpq, fmpq_mat
 
 from osculant.cas.formulas.expression import Node, number, to_text, variable
-from osculant.cas.formulas.graph import substitute
 from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version
 from osculant.cas.germs.linear import null_space
-from osculant.cas.germs.unipotent import LinearField
+from osculant.cas.germs.linear_fields import LinearField, all_linear_fields, pairings
 
 Matrix = list[list[Fraction]]
 
@@ -32,28 +31,57 @@ TRIED = 60
 
 
 @dataclass(frozen=True)
-class Adapted:
-    """A germ in new linear coordinates (the rows: linear functions of the old ones), boundary kept."""
+class Frame:
+    """Linear coordinates, as rows: linear functions of the old ones; boundary kept.
 
-    germ: Germ
+    ``source_weights`` and ``target_weights`` are the eigenvalues of a symmetry that has them as eigenvectors;
+    None where there is no such, or an eigenvalue is not rational. ``moved`` tells whether they are new
+    coordinates.
+    """
+
     source: Matrix
     target: Matrix
+    source_weights: tuple[Fraction, ...] | None = None
+    target_weights: tuple[Fraction, ...] | None = None
+    moved: bool = True
 
-    def text(self, old: Germ) -> tuple[str, ...]:
+    def field(self, field: LinearField) -> Matrix:
+        """The matrix, in the old coordinates, of the field X_a ∂/∂X_b of the new ones.
+
+        Entry (c, i) is the coefficient of x_c ∂/∂x_i; of the target likewise.
+
+        >>> given([[Fraction(1)]], [[Fraction(1)]]).field(LinearField("source", 0, 0))
+        [[Fraction(1, 1)]]
+        """
+        rows = self.source if field.side == "source" else self.target
+        if not self.moved:
+            size = range(len(rows))
+            return [[Fraction(int((c, i) == (field.a, field.b))) for i in size] for c in size]
+        inverse = _inverse(rows)
+        return [[a * row[field.b] for row in inverse] for a in rows[field.a]]
+
+    def text(self, germ: Germ) -> tuple[str, ...]:
         """The new coordinates as written: "X = x + 2*y", and Y1, Y2, … of the target."""
-        targets = [f"y{j + 1}" for j in range(old.p)]
+        targets = [f"y{j + 1}" for j in range(germ.p)]
         found = []
-        for names, rows, news in (
-            (old.source, self.source, [name.upper() for name in old.source]),
-            (targets, self.target, [name.upper() for name in targets]),
-        ):
-            for new, row in zip(news, rows):
-                found.append(f"{new} = {to_text(_combination(row, [variable(name) for name in names]))}")
+        for names, rows in ((germ.source, self.source), (targets, self.target)):
+            for name, row in zip(names, rows):
+                found.append(f"{name.upper()} = {to_text(_combination(row, [variable(n) for n in names]))}")
         return tuple(found)
 
 
-def adapted(germ: Germ, group: Group, order: int) -> Adapted | None:
-    """The germ in adapted coordinates; None if no symmetry tells any apart, or for a group of own fields.
+def given(source: Matrix, target: Matrix) -> Frame:
+    """The coordinates as they are: unit matrices."""
+    return Frame(source, target, moved=False)
+
+
+def unit(size: int) -> Matrix:
+    """The unit matrix."""
+    return [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
+
+
+def adapted(germ: Germ, group: Group, order: int) -> Frame | None:
+    """Adapted coordinates; None if no symmetry tells any apart, or for a group of own fields.
 
     Args:
         germ: the germ.
@@ -61,28 +89,27 @@ def adapted(germ: Germ, group: Group, order: int) -> Adapted | None:
         order: order of the jets in which T G₁ f is taken.
 
     >>> from osculant.cas.germs.groups import group
-    >>> moved = adapted(Germ("(x + y)**2 + (x + 2*y)**5", "x y"), group("R"), 6)
-    >>> moved.germ.text(2)  # no mixed term
-    ('y**2',)
+    >>> found = adapted(Germ("(x + y)**2 + (x + 2*y)**5", "x y"), group("R"), 6)
+    >>> found.text(Germ("(x + y)**2 + (x + 2*y)**5", "x y"))[:2]
+    ('X = 2/5*x + y', 'Y = x + y')
     """
     if group.source == "own":
         return None
-    fields = _linear(germ, group)
+    fields = all_linear_fields(germ, group)
     symmetries = _symmetries(germ, group, fields, order)
     fixed = germ.boundary_index if group.source == "boundary" else None
-    best: tuple[int, int, Matrix, Matrix] | None = None
+    best: tuple[tuple[int, int], Frame] | None = None
     for weights in _simple(symmetries):
-        source, kinds = _eigenbasis(_matrix("source", germ.n, fields, weights), fixed)
-        target, others = _eigenbasis(_matrix("target", germ.p, fields, weights), None)
+        source, kinds, own = _eigenbasis(_matrix("source", germ.n, fields, weights), fixed)
+        target, others, theirs = _eigenbasis(_matrix("target", germ.p, fields, weights), None)
         size = sum(abs(v.numerator) + v.denominator for row in source + target for v in row)
-        if best is None or (kinds + others, -size) > best[:2]:
-            best = kinds + others, -size, source, target
-    if best is None or best[0] <= 2:  # all eigenvalues equal on either side: nothing is told apart
+        if group.target == "none":
+            target = unit(germ.p)
+        if best is None or (kinds + others, -size) > best[0]:
+            best = (kinds + others, -size), Frame(source, target, own, theirs)
+    if best is None or best[0][0] <= 2:  # all eigenvalues equal on either side: nothing is told apart
         return None
-    _, _, source, target = best
-    if group.target == "none":
-        target = [[Fraction(int(i == j)) for j in range(germ.p)] for i in range(germ.p)]
-    return Adapted(_moved(germ, source, target), source, target)
+    return best[1]
 
 
 def _simple(symmetries: Matrix) -> list[list[Fraction]]:
@@ -95,32 +122,11 @@ def _simple(symmetries: Matrix) -> list[list[Fraction]]:
     return found[:TRIED] if symmetries else []
 
 
-def _linear(germ: Germ, group: Group) -> list[LinearField]:
-    """All linear fields x_a ∂/∂x_b of the group, and all y_i ∂/∂y_j.
-
-    The target counts for every group: a quasi-homogeneous function is only scaled by its Euler field.
-    """
-    found = []
-    if group.source != "none":
-        u = germ.boundary_index if group.source == "boundary" else -1
-        pairs = [(a, b) for a in range(germ.n) for b in range(germ.n) if b != u or a == u]
-        found += [LinearField("source", a, b) for a, b in pairs]
-    return found + [LinearField("target", i, j) for i in range(germ.p) for j in range(germ.p)]
-
-
 def _symmetries(germ: Germ, group: Group, fields: Sequence[LinearField], order: int) -> Matrix:
     """A basis of the combinations D of the fields with D f in T G₁ f."""
     first = tangent(germ, group, Version.UNIPOTENT, order)
-    place = first.space.place()
-    images = []
-    for field in fields:  # not as an integer row: the combination matters
-        vector = field.image(germ, order)
-        images.append({germ.p * place[m] + j: c for j, f in enumerate(vector) for m, c in f.items()})
-    conditions = [
-        [sum((v * image[c] for c, v in functional.items() if c in image), Fraction(0)) for image in images]
-        for functional in first.annihilator.functionals
-    ]
-    return null_space(conditions, len(fields))
+    values = [pairings(field, germ, first.space, first.annihilator.functionals) for field in fields]
+    return null_space(list(map(list, zip(*values))), len(fields))
 
 
 def _matrix(side: str, size: int, fields: Sequence[LinearField], weights: Sequence[Fraction]) -> Matrix:
@@ -132,37 +138,44 @@ def _matrix(side: str, size: int, fields: Sequence[LinearField], weights: Sequen
     return matrix
 
 
-def _eigenbasis(matrix: Matrix, fixed: int | None) -> tuple[Matrix, int]:
-    """(rows, number of different eigenvalues): a basis of linear functions out of generalised eigenvectors.
+def _eigenbasis(matrix: Matrix, fixed: int | None) -> tuple[Matrix, int, tuple[Fraction, ...] | None]:
+    """(rows, number of different eigenvalues, eigenvalues): a basis out of generalised eigenvectors.
 
-    Row ``fixed`` is that coordinate itself, which is an eigenvector. Conjugate eigenvalues count as one.
+    Row ``fixed`` is that coordinate itself, which is an eigenvector. Conjugate eigenvalues count as one; the
+    eigenvalues are None unless all are rational.
     """
     size = len(matrix)
     rational = fmpq_mat(size, size, [fmpq(v.numerator, v.denominator) for row in matrix for v in row])
-    own = [Fraction(int(i == fixed)) for i in range(size)]
     rows: Matrix = []
+    values: list[Fraction | None] = []
     _, factors = rational.charpoly().factor()
     for factor, multiplicity in factors:
         power = _polynomial_at(factor, rational) ** multiplicity
         conditions = [
             [Fraction(int(power[i, j].p), int(power[i, j].q)) for j in range(size)] for i in range(size)
         ]
-        rows += null_space(conditions, size)
-    if fixed is None:
-        return rows, len(factors)
-    # the boundary function is an eigenvector: it takes the place of a row that it needs
-    at = next(i for i in range(size) if _independent([*rows[:i], *rows[i + 1 :], own]))
-    rows.pop(at)
-    rows.insert(fixed, own)
-    return rows, len(factors)
+        here = null_space(conditions, size)
+        rows += here
+        root = -factor.coeffs()[0] / factor.coeffs()[1] if factor.degree() == 1 else None
+        values += [None if root is None else Fraction(int(root.p), int(root.q))] * len(here)
+    if fixed is not None:
+        # the boundary function is an eigenvector: it takes the place of a row that it needs
+        own = [Fraction(int(i == fixed)) for i in range(size)]
+        at = next(i for i in range(size) if _independent([*rows[:i], *rows[i + 1 :], own]))
+        rows.pop(at)
+        rows.insert(fixed, own)
+        values.pop(at)
+        values.insert(fixed, matrix[fixed][fixed])
+    known = [v for v in values if v is not None]
+    return rows, len(factors), tuple(known) if len(known) == size else None
 
 
 def _polynomial_at(polynomial: object, matrix: fmpq_mat) -> fmpq_mat:
     size = matrix.nrows()
-    unit = fmpq_mat(size, size, [fmpq(int(i == j)) for i in range(size) for j in range(size)])
-    value = unit * fmpq(0)
+    one = fmpq_mat(size, size, [fmpq(int(i == j)) for i in range(size) for j in range(size)])
+    value = one * fmpq(0)
     for c in reversed(polynomial.coeffs()):  # type: ignore[attr-defined]
-        value = value * matrix + unit * c
+        value = value * matrix + one * c
     return value
 
 
@@ -171,21 +184,10 @@ def _independent(rows: Matrix) -> bool:
     return bool(fmpq_mat(len(rows), len(rows), flat).rank() == len(rows))
 
 
-def _moved(germ: Germ, source: Matrix, target: Matrix) -> Germ:
-    """The germ with x = (source)⁻¹X and Y = (target) y."""
-    n = germ.n
-    flat = [fmpq(v.numerator, v.denominator) for row in source for v in row]
-    inverse = fmpq_mat(n, n, flat).inv()
-    variables = [variable(name) for name in germ.source]
-    old = {
-        name: _combination(
-            [Fraction(int(inverse[i, j].p), int(inverse[i, j].q)) for j in range(n)], variables
-        )
-        for i, name in enumerate(germ.source)
-    }
-
-    components = substitute(germ.components, old)
-    return Germ([_combination(row, components) for row in target], germ.source, germ.boundary)
+def _inverse(rows: Matrix) -> Matrix:
+    size = len(rows)
+    found = fmpq_mat(size, size, [fmpq(v.numerator, v.denominator) for row in rows for v in row]).inv()
+    return [[Fraction(int(found[i, j].p), int(found[i, j].q)) for j in range(size)] for i in range(size)]
 
 
 def _combination(weights: Sequence[Fraction], nodes: Sequence[Node]) -> Node:

@@ -108,11 +108,57 @@ def vanish(functionals: Sequence[Functional], rows: Sequence[Row]) -> bool:
 def modular_annihilator(rows: Sequence[Row], columns: int, prime: int) -> tuple[tuple[int, ...], np.ndarray]:
     """(free columns, values): a basis of the annihilator modulo a prime, one functional a column of values.
 
+    Blocks of rows and columns that have nothing to do with each other, such as the weights of a
+    quasi-homogeneous germ, are eliminated one by one.
+
     >>> free, values = modular_annihilator([{0: 1, 1: 1}], 2, 7)
     >>> free, values.tolist()
     ((1,), [[6], [1]])
     """
-    pivots, rest = _structural_pivots(rows, prime)
+    pieces = [_block(here, where, prime) for here, where in blocks(rows, columns)]
+    free = sorted(c for found, _, _ in pieces for c in found)
+    place = {c: j for j, c in enumerate(free)}
+    values = np.zeros((columns, len(free)), dtype=np.int64)
+    for found, where, part in pieces:
+        if found:
+            values[np.ix_(where, [place[c] for c in found])] = part
+    return tuple(free), values
+
+
+def blocks(rows: Sequence[Row], columns: int) -> Iterator[tuple[list[Row], list[int]]]:
+    """(rows, columns) of the finest division in which no row has entries in two parts.
+
+    >>> [where for _, where in blocks([{0: 1, 2: 1}, {1: 5}], 3)]
+    [[0, 2], [1]]
+    """
+    parent = list(range(columns))
+
+    def root(c: int) -> int:
+        while parent[c] != c:
+            parent[c] = parent[parent[c]]
+            c = parent[c]
+        return c
+
+    for row in rows:
+        first, *others = map(root, row)
+        for other in others:
+            parent[other] = first if (other := root(other)) != first else other
+    gathered: dict[int, tuple[list[Row], list[int]]] = {}
+    for c in range(columns):
+        gathered.setdefault(root(c), ([], []))[1].append(c)
+    for row in rows:
+        gathered[root(next(iter(row)))][0].append(row)
+    yield from gathered.values()
+
+
+def _block(rows: Sequence[Row], where: Sequence[int], prime: int) -> tuple[list[int], list[int], np.ndarray]:
+    """(free columns, all columns, values) of one block."""
+    columns, place = len(where), {c: i for i, c in enumerate(where)}
+    if columns == 1:
+        seen = any(v % prime for row in rows for v in row.values())
+        return ([] if seen else list(where)), list(where), np.ones((1, 0 if seen else 1), dtype=np.int64)
+    local = [{place[c]: v for c, v in row.items()} for row in rows]
+    pivots, rest = _structural_pivots(local, prime)
     dense_columns = np.array([c for c in range(columns) if c not in pivots], dtype=np.int64)
     reduced = _reduced(rest, pivots, columns, prime)[:, dense_columns]
     echelon, leading = _echelon(reduced, prime)
@@ -126,7 +172,7 @@ def modular_annihilator(rows: Sequence[Row], columns: int, prime: int) -> tuple[
         indices, entries = pivots[column]
         if len(indices) and free:
             values[column] = (-((entries[:, None] * values[indices]) % prime).sum(axis=0)) % prime
-    return tuple(int(c) for c in dense_columns[free]), values
+    return [where[int(c)] for c in dense_columns[free]], list(where), values
 
 
 def _structural_pivots(

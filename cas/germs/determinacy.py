@@ -2,28 +2,36 @@
 
 Criterion (du Plessis; Bruce, du Plessis and Wall): if M^lθ ⊂ T K_e f and M^{k+1}θ ⊂ T U f + M^{k+l+1}θ for a
 unipotent subgroup U of G, then f is k-determined for G. For R, C and K, whose tangent spaces are modules over
-the source functions, l = 1 will do.
+the source functions, l = 1 will do. Where weights give T G₁ f as a whole, M^{k+1}θ ⊂ T U f is read off it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 from typing import Any, Literal
 
 from osculant.cas.errors import UndecidedError
-from osculant.cas.germs.adapted import Adapted, adapted
-from osculant.cas.germs.codimension import codimension, last_order, tangent
+from osculant.cas.formulas.expression import to_text
+from osculant.cas.germs.adapted import Frame, adapted, given, unit
+from osculant.cas.germs.codimension import (
+    Codimension,
+    Tangent,
+    annihilator_certificate,
+    codimension,
+    tangent,
+    tangent_of_contact,
+)
+from osculant.cas.germs.geometry import Degeneration
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
-from osculant.cas.germs.infinite import Curve
-from osculant.cas.germs.unipotent import LinearField, choices
-
-#: sets of nilpotent fields tried for one k
-SETS = 2000
-#: orders above k in which the (k − 1)-jet is looked at
-FURTHER = 8
+from osculant.cas.germs.search import COLUMNS, GRADED, Patience
+from osculant.cas.germs.sharpness import Sharpness, sharpness
+from osculant.cas.germs.tangent import JetSpace
+from osculant.cas.germs.unipotent import Choices, Fields
+from osculant.cas.germs.weights import graded_by, weights
 
 
 @dataclass(frozen=True)
@@ -31,8 +39,8 @@ class Determinacy:
     """``degree`` k: the germ is k-determined; "infinite" if it is not finitely determined.
 
     ``fields`` are the nilpotent linear fields added to G₁, ``bound`` is l, ``order`` the order k + l of the
-    jets of the proof. ``sharp`` is True if (k − 1)-determinacy is refuted, with ``reason``; None if it is
-    not known.
+    jets of the proof (counted with the weights of the variables where the fields of all weights are known at
+    once). ``sharp`` is True if (k − 1)-determinacy is refuted, with ``reason``; None if it is not known.
     """
 
     degree: int | Literal["infinite"]
@@ -42,97 +50,203 @@ class Determinacy:
     sharp: bool | None
     reason: str
     coordinates: tuple[str, ...] = ()
-    curve: Curve | None = None
+    proof: Degeneration | None = None
+    evidence: Evidence | None = field(default=None, repr=False)
 
     def certificate(self) -> dict[str, Any]:
-        """What an independent checker needs."""
-        if self.curve is not None:
-            return {"kind": "curve", "curve": str(self.curve)}
-        return {
+        """What an independent checker needs.
+
+        "matrices" are the nilpotent fields in the coordinates given: entry (a, b) is the coefficient of
+        x_a ∂/∂x_b or y_a ∂/∂y_b; "annihilator" that of T U f in the jets of the order, "contact" that of T
+        K_e f; where the jets count weights, "first" is the annihilator of T G₁ f. "other" is a germ with the
+        same (k − 1)-jet that is not equivalent, with "functional", one that vanishes on its tangent space but
+        not on M^k.
+        """
+        if self.proof is not None:
+            return self.proof.certificate()
+        told: dict[str, Any] = {
             "kind": "criterion",
             "bound": self.bound,
             "order": self.order,
             "fields": list(self.fields),
             "coordinates": list(self.coordinates),
         }
+        assert self.evidence is not None
+        return {**told, **self.evidence.certificate()}
 
 
-def determinacy(germ: Germ, name: str | Group) -> Determinacy:
+@dataclass(frozen=True)
+class Evidence:
+    """What proves a degree of determinacy: the tangent space T G₁ f, fields with their frame, and T K_e f."""
+
+    choices: Choices
+    frame: Frame
+    fields: Fields
+    contact: Tangent | None
+    sharp: Sharpness
+
+    def certificate(self) -> dict[str, Any]:
+        """As plain data."""
+        first = self.choices.first
+        whole = annihilator_certificate(first)
+        functionals = self.choices.annihilator(self.frame, self.fields)
+        told: dict[str, Any] = {
+            "matrices": [
+                {"side": f.side, "matrix": [[str(v) for v in row] for row in self.frame.field(f)]}
+                for f in self.fields
+            ],
+            "annihilator": {
+                **{key: whole[key] for key in ("order", "columns", "prime", "weights") if key in whole},
+                "functionals": [{c: str(v) for c, v in f.items()} for f in functionals],
+            },
+        }
+        if self.contact is not None:
+            told["contact"] = annihilator_certificate(self.contact)
+        if first.space.weights:
+            told["first"] = whole
+        if self.sharp.other is not None and self.sharp.tangent is not None:
+            t = self.sharp.tangent
+            told["other"] = list(map(to_text, self.sharp.other.components))
+            witness = next(
+                f for f in t.annihilator.functionals if any(t.space.degree(c) == t.space.order for c in f)
+            )
+            told["functional"] = {"order": t.space.order, "values": {c: str(v) for c, v in witness.items()}}
+        return told
+
+
+def determinacy(germ: Germ, name: str | Group, patience: Patience | None = None) -> Determinacy:
     """The least degree of determinacy that the criterion proves, with the proof and the test of sharpness.
 
-    Raises UndecidedError if no degree within the caps on jets is proved and no curve shows that there is
-    none.
+    Args:
+        germ: the germ.
+        name: the group.
+        patience: the time that it may take; `search.SECONDS` by default.
+
+    Raises UndecidedError if no degree is proved in that time and the germ is not proved to be infinite.
 
     >>> found = determinacy(Germ("x**3 + y**4", "x y"), "R")
     >>> found.degree, found.sharp
     (4, True)
     """
-    g = group(name)
-    whole = codimension(germ, g)
-    if whole.curve is not None:
-        return Determinacy("infinite", 0, 0, (), True, f"not finite along {whole.curve}", (), whole.curve)
-    assert whole.tangent is not None  # the codimension is finite
-    bound = max(whole.bound, 1)
-    # M^{k+1}θ ⊂ T G f is necessary
-    least = max(1, whole.tangent.depth)
-    coordinates = _Coordinates(germ, g, least + bound)
-    for k in range(least, last_order(germ) - bound + 1):
-        for tried in coordinates:
-            fields = _proof(tried.germ if tried else germ, g, k, bound)
-            if fields is not None:
-                sharp, reason = _sharpness(germ, g, k, whole.tangent.depth, whole.tangent.codimension)
-                texts = tuple(f.text(tried.germ if tried else germ) for f in fields)
-                where = tried.text(germ) if tried and fields else ()
-                return Determinacy(k, bound, k + bound, texts, sharp, reason, where)
-    raise UndecidedError(
-        f"No degree of {g.name} determinacy of {germ} is proved by jets of order {last_order(germ)}."
-    )
+    g, patience = group(name), patience or Patience()
+    whole = codimension(germ, g, patience=patience)
+    if whole.proof is not None:
+        return Determinacy("infinite", 0, 0, (), True, f"not finite: {whole.proof}", (), whole.proof)
+    return _Question(germ, g, whole, patience).answer()
 
 
-class _Coordinates:
-    """The coordinates given (None), then those adapted to the jet of that order or else of a lower one."""
+class _Question:
+    """The search for the least degree."""
 
-    def __init__(self, germ: Germ, g: Group, order: int) -> None:
-        self.germ, self.group, self.order = germ, g, order
+    def __init__(self, germ: Germ, g: Group, whole: Codimension, patience: Patience) -> None:
+        assert whole.tangent is not None  # the codimension is finite
+        self.germ, self.group, self.patience = germ, g, patience
+        self.depth = whole.tangent.plain_depth
+        # M^{k+1}θ ⊂ T G f is necessary
+        self.least = max(1, self.depth)
+        self.contact = whole.contact
+        self.contact_by_weight: Tangent | None = None
+        if whole.contact is not None and whole.contact.space.weights:  # its l counts weights
+            self.contact = tangent_of_contact(germ, g, patience)
+        self.bound = 1 if self.contact is None else max(self.contact.depth + 1, 1)
 
-    def __iter__(self) -> Iterator[Adapted | None]:
-        yield None
-        if self._moved is not None:
-            yield self._moved
+    def answer(self) -> Determinacy:
+        k, known = self.least, None
+        while True:
+            beyond = sharpness(self.germ, self.group, k + 1, self.depth, quick=True)
+            if not beyond.sharp:  # it may be k-determined
+                choices = self.choices(k)
+                if choices is None or (k > self.least and self.patience.left() < 0):
+                    raise UndecidedError(
+                        f"No degree of {self.group.name} determinacy of {self.germ} below {k} is proved; "
+                        f"{k} is out of reach within {self.patience.seconds:g} seconds."
+                    )
+                proof = choices.raising(self.plain, k) or choices.proof(self.frames(k), k)
+                if proof is not None:
+                    return self.told(k, choices, *proof, known)
+            k, known = k + 1, beyond
+
+    def choices(self, k: int) -> Choices | None:
+        """The choices for a degree; None if they are too many."""
+        order = k + self.bound
+        columns = JetSpace(self.germ.n, self.germ.p, order).columns
+        if columns > GRADED and (exact := self.exact) is not None:
+            return exact
+        if columns > COLUMNS:
+            return None
+        return Choices(tangent(self.germ, self.group, Version.UNIPOTENT, order))
 
     @cached_property
-    def _moved(self) -> Adapted | None:
-        orders = range(self.order, 1, -1)
-        return next(filter(None, (adapted(self.germ, self.group, k) for k in orders)), None)
+    def exact(self) -> Choices | None:
+        """T G₁ f as a whole, by weights."""
+        return self._graded()
 
-
-def _proof(germ: Germ, g: Group, k: int, bound: int) -> tuple[LinearField, ...] | None:
-    """Nilpotent fields with which the criterion holds for k, few of them; None if none were found."""
-    tried = choices(germ, g, k + bound)
-    if tried.depth(()) <= k:
-        return ()
-    if not tried.settles(tuple(tried.useful), k):
-        return None
-    for number, fields in enumerate(tried.triangular()):
-        if number == SETS:
+    def _graded(self) -> Choices | None:
+        w = graded_by(self.germ) if self.group.source != "own" else None
+        if w is None:
             return None
-        if tried.settles(fields, k) and tried.depth(fields) <= k:
-            for field in fields:  # leave out what is not needed
-                fewer = tuple(f for f in fields if f != field)
-                if tried.settles(fewer, k) and tried.depth(fewer) <= k:
-                    fields = fewer
-            return fields
-    return None
+        light = 1
+        if self.group.target == "left":
+            contact = Group(self.group.name, self.group.source, "contact", self.group.fields)
+            found = self._first(contact, Version.EXTENDED, w, 1)
+            self.contact_by_weight, light = found, found.depth + 1
+        return Choices(self._first(self.group, Version.UNIPOTENT, w, light), True)
 
+    def _first(self, g: Group, version: Version, w: tuple[int, ...], bound: int) -> Tangent:
+        """The tangent space of the first order that settles it: it is finite."""
+        order = 2 * max(w)
+        while not (found := tangent(self.germ, g, version, order, w)).settled(bound):
+            order += max(1, order // 4)
+            if self.patience.left() < 0:
+                raise UndecidedError(f"The {g.name} tangent space of {self.germ} is not known in time.")
+        return found
 
-def _sharpness(germ: Germ, g: Group, k: int, depth: int, value: int) -> tuple[bool | None, str]:
-    if k == 1:
-        return True, "degrees of determinacy are at least 1"
-    if depth >= k:
-        return True, f"M^{k}θ is not in the tangent space"
-    smaller = germ.truncated(k - 1)
-    for order in range(k, min(k + FURTHER, last_order(germ)) + 1):
-        found = tangent(smaller, g, Version.ORDINARY, order)
-        if found.codimension > value:  # that of the jet's orbit can only be larger still
-            return True, f"the {k - 1}-jet has a codimension of at least {found.codimension}, not {value}"
-    return None, f"whether the germ is {k - 1}-determined is not decided"
+    def frames(self, k: int) -> Iterator[Frame]:
+        """The coordinates given, with the weights of the germ if it has some, and those adapted to it."""
+        yield self.plain
+        if (moved := self.adapted(k + min(self.bound, 2))) is not None:
+            yield moved
+
+    @property
+    def plain(self) -> Frame:
+        key = "frame", self.group
+        if key not in self.germ.known:
+            frame = given(unit(self.germ.n), unit(self.germ.p))
+            found = weights(self.germ) if self.germ.polynomial(4095) is not None else None
+            if found is not None:
+                source, target = (tuple(map(Fraction, w)) for w in (found.source, found.target))
+                frame = Frame(frame.source, frame.target, source, target, moved=False)
+            self.germ.known[key] = frame
+        made: Frame = self.germ.known[key]
+        return made
+
+    def adapted(self, order: int) -> Frame | None:
+        """Coordinates adapted to the jet of that order or else of a lower one."""
+        key = "adapted", self.group
+        if key not in self.germ.known:
+            orders = (
+                k for k in range(order, 1, -1) if JetSpace(self.germ.n, self.germ.p, k).columns <= GRADED
+            )
+            found = (adapted(self.germ, self.group, k) for k in orders)
+            self.germ.known[key] = next(filter(None, found), None)
+        made: Frame | None = self.germ.known[key]
+        return made
+
+    def told(
+        self, k: int, choices: Choices, frame: Frame, fields: Fields, known: Sharpness | None
+    ) -> Determinacy:
+        found = known if known is not None and known.sharp else None
+        found = found or sharpness(self.germ, self.group, k, self.depth)
+        moved = frame.moved and bool(fields)
+        contact = self.contact_by_weight if choices.exact else self.contact
+        return Determinacy(
+            k,
+            1 if contact is None else max(contact.depth + 1, 1),
+            choices.space.order,
+            tuple(f.text(self.germ, moved) for f in fields),
+            found.sharp,
+            found.reason,
+            frame.text(self.germ) if moved else (),
+            None,
+            Evidence(choices, frame, fields, contact, found),
+        )

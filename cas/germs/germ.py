@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -53,6 +53,8 @@ class Germ:
                 f"The germ uses {', '.join(unknown)}, not among its source variables: add them."
             )
         self.components = nodes
+        #: what was computed of this germ, by those who did
+        self.known: dict[Hashable, Any] = {}
         if boundary is None and "u" in self.source:
             boundary = "u"
         if boundary is not None and boundary not in self.source:
@@ -109,9 +111,8 @@ class Germ:
             whole = node.kind != "pow" or (node.value.denominator == 1 and node.value >= 0)
             if node.kind not in kinds or not whole or (node.kind == "div" and variables(node.args[1:])):
                 return None
-        if max((_degree_bound(node) for node in self.components), default=0) > degree:
-            return None
-        return self.jet(degree)
+        bound = max((_degree_bound(node) for node in self.components), default=0)
+        return None if bound > degree else self.jet(bound)
 
     def truncated(self, order: int) -> Germ:
         """The jet of that order, as a polynomial germ.
@@ -233,17 +234,18 @@ class _Expansion:
     def composed(self, inner: Polynomial, node: Node, function: Any) -> Polynomial:
         """function(inner), from the Taylor coefficients of the function at inner's constant term."""
         rest = {m: c for m, c in inner.items() if m}
-        coefficients = self.taylor(Fraction(inner.get(0, 0)), node, function)
+        order = self.order if variables(node.args[-1:]) else 0  # a number has no series
+        coefficients = self.taylor(Fraction(inner.get(0, 0)), order, node, function)
         result: Polynomial = {}
         for c in reversed(coefficients):
             result = poly.times(result, rest, self.n, self.order)
             result = poly.plus(result, {0: c})
         return result
 
-    def taylor(self, at: Fraction, node: Node, function: Any) -> list[Number]:
+    def taylor(self, at: Fraction, order: int, node: Node, function: Any) -> list[Number]:
         t = variable("t")
         try:
-            values = program([function(number(at) + t)], self.order, normalised=True).run(
+            values = program([function(number(at) + t)], order, normalised=True).run(
                 ExactNumbers().number(Fraction(0)), ExactNumbers()
             )[0]
         except (DomainError, ZeroDivisionError) as error:

@@ -19,6 +19,8 @@ from osculant.cas.germs.germ import Germ, expanded
 from osculant.cas.germs.polynomials import Polynomial
 
 Field = tuple[Polynomial, ...]
+#: order to which the vector fields of a module of one's own are known
+FIELD_ORDER = 63
 Target = Literal["none", "left", "contact"]
 
 
@@ -79,7 +81,7 @@ class Group:
             raise DomainError(
                 f"The vector field {text!r} has {len(nodes)} components; the source has dimension {germ.n}."
             )
-        return expanded(nodes, germ.source, poly.LARGEST)
+        return expanded(nodes, germ.source, FIELD_ORDER)
 
 
 GROUPS = {

@@ -9,9 +9,11 @@ from itertools import combinations, pairwise
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.annihilator import annihilator
-from osculant.cas.germs.codimension import COLUMNS, ORDER
+from osculant.cas.germs.geometry import Geometry
 from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.groups import GROUPS
 from osculant.cas.germs.polynomials import Polynomial
+from osculant.cas.germs.search import Patience, Search
 from osculant.cas.germs.tangent import JetSpace
 
 
@@ -23,24 +25,33 @@ class LocalAlgebra:
     hilbert: tuple[int, ...]
 
 
-def local_algebra(generators: Callable[[int], Sequence[Polynomial]], n: int, what: str) -> LocalAlgebra:
+def local_algebra(
+    generators: Callable[[int], Sequence[Polynomial]],
+    n: int,
+    what: str,
+    geometry: Geometry | None = None,
+    patience: Patience | None = None,
+) -> LocalAlgebra | None:
     """The algebra of power series in n variables modulo an ideal, exactly (Nakayama).
 
     Args:
         generators: generators(k) are the generators of the ideal, cut above degree k.
         n: the number of variables.
         what: the name of the algebra, for the error.
+        geometry: looks for a proof that the dimension is infinite.
+        patience: the time that it may take.
 
-    Raises UndecidedError if the dimension does not settle within the caps: it may be infinite.
+    Returns the algebra, or None if its dimension is proved to be infinite. Raises UndecidedError if the
+    dimension does not settle in time: it may be infinite.
 
     >>> x = poly.variable(0, 2); y = poly.variable(1, 2)
     >>> local_algebra(lambda k: [{2 * x: 1}, {3 * y: 1}], 2, "example").hilbert
     (1, 2, 2, 1)
     """
-    for order in range(ORDER + 1):
+    patience = patience or Patience()
+    search = Search(n, 1, geometry, patience)
+    for order in search.orders():
         space = JetSpace(n, 1, order)
-        if space.columns > COLUMNS:
-            break
         place = space.place()
         spanning = []
         for f in generators(order):
@@ -52,8 +63,12 @@ def local_algebra(generators: Callable[[int], Sequence[Polynomial]], n: int, wha
         depth = max((space.degree(c) for f in found.functionals for c in f), default=-1)
         if order > depth:
             return LocalAlgebra(found.codimension, _hilbert(spanning, n, depth))
+        if search.grown(found.codimension):
+            return None
+    if geometry is not None and patience.wait(geometry) is not None:
+        return None
     raise UndecidedError(
-        f"The dimension of the {what} does not settle in jets of order {order}: it may be infinite."
+        f"The dimension of the {what} does not settle in jets of order {search.order}: it may be infinite."
     )
 
 
@@ -66,10 +81,10 @@ def _hilbert(spanning: Sequence[dict[int, int]], n: int, depth: int) -> tuple[in
     return tuple(b - a for a, b in pairwise(dimensions))
 
 
-def milnor_number(germ: Germ) -> int:
+def milnor_number(germ: Germ, patience: Patience | None = None) -> int:
     """dim O/(∂f/∂x₁, …, ∂f/∂xₙ) of a function.
 
-    Raises DomainError for p > 1, UndecidedError if the singularity may not be isolated.
+    Raises DomainError for p > 1 and if the singularity is not isolated, UndecidedError if it may not be.
 
     >>> milnor_number(Germ("x**3 + y**4", "x y"))
     6
@@ -81,25 +96,50 @@ def milnor_number(germ: Germ) -> int:
         f = germ.jet(order + 1)[0]
         return [poly.derivative(f, i, germ.n) for i in range(germ.n)]
 
-    return local_algebra(gradient, germ.n, "Milnor algebra").dimension
+    found = _decided(gradient, germ, "Milnor algebra", "R", patience)
+    if found is None:
+        raise DomainError(f"The Milnor number of {germ} is infinite: its critical point is not isolated.")
+    return found.dimension
 
 
-def q_algebra(germ: Germ) -> LocalAlgebra:
+def q_algebra(germ: Germ, patience: Patience | None = None) -> LocalAlgebra:
     """Q(f) = O/(f₁, …, fₚ), with its Hilbert function; its dimension is the multiplicity of f.
+
+    Raises DomainError if it is infinite, UndecidedError if it may be.
 
     >>> q_algebra(Germ("x**2, y**2, x*y", "x y"))
     LocalAlgebra(dimension=3, hilbert=(1, 2))
     """
-    return local_algebra(germ.jet, germ.n, "Q-algebra")
+    found = _decided(germ.jet, germ, "Q-algebra", "C", patience)
+    if found is None:
+        raise DomainError(f"The Q-algebra of {germ} is infinite.")
+    return found
+
+
+def _decided(
+    generators: Callable[[int], Sequence[Polynomial]],
+    germ: Germ,
+    what: str,
+    group: str,
+    patience: Patience | None,
+) -> LocalAlgebra | None:
+    """The algebra; None if its dimension is infinite, as that of a tangent space of the group then is."""
+    geometry = Geometry(germ, GROUPS[group])
+    try:
+        return local_algebra(generators, germ.n, what, geometry, patience)
+    finally:
+        geometry.stop()
 
 
 def multiplicity(germ: Germ) -> int:
-    """dim Q(f)."""
+    """dim Q(f); errors as for `q_algebra`."""
     return q_algebra(germ).dimension
 
 
-def ramification(germ: Germ) -> LocalAlgebra:
+def ramification(germ: Germ, patience: Patience | None = None) -> LocalAlgebra:
     """O/R with R the ideal of the largest minors of df: where f is no immersion (n ≤ p) or submersion.
+
+    Raises DomainError if its dimension is infinite, UndecidedError if it may be.
 
     >>> ramification(Germ("x, y**2, x*y", "x y")).dimension
     1
@@ -115,7 +155,15 @@ def ramification(germ: Germ) -> LocalAlgebra:
             for columns in combinations(range(n), size)
         ]
 
-    return local_algebra(minors, n, "ramification algebra")
+    # for n ≥ p the minors are what R has no tangent vectors off, for n < p a locus of L
+    geometry = Geometry(germ, GROUPS["R" if n >= p else "L"], ("module" if n >= p else "rank",))
+    try:
+        found = local_algebra(minors, n, "ramification algebra", geometry, patience)
+    finally:
+        geometry.stop()
+    if found is None:
+        raise DomainError(f"The ramification algebra of {germ} is infinite.")
+    return found
 
 
 def _determinant(matrix: Sequence[Sequence[Polynomial]], n: int, order: int) -> Polynomial:

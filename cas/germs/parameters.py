@@ -30,8 +30,8 @@ from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs.codimension import Codimension, codimension, contact_bound
 from osculant.cas.germs.diagonal import diagonal_form
 from osculant.cas.germs.family import Family, GenericGerm
+from osculant.cas.germs.geometry import Degeneration, Geometry
 from osculant.cas.germs.groups import Group, Version, group
-from osculant.cas.germs.infinite import Curve, degenerate_curve
 from osculant.cas.germs.linear import null_space
 from osculant.cas.germs.roots import (
     Coefficients,
@@ -41,8 +41,9 @@ from osculant.cas.germs.roots import (
     real_roots,
 )
 from osculant.cas.germs.tangent import JetSpace, Vector, vectors
-from osculant.cas.germs.weights import not_isolated
 
+#: seconds for the proof that the codimension at an exceptional value is infinite
+SECONDS = 5.0
 #: values of the parameters that are tried for a germ of the least codimension
 SAMPLES = (Fraction(101, 3), Fraction(-211, 7), Fraction(307, 2))
 
@@ -100,8 +101,8 @@ def codimension_of_family(
         family: f_a, with one parameter.
         name: the group.
         extended: whether T G_e f in θ is meant instead of T G f in Mθ.
-        curves: whether "infinite" is to be proved at rational exceptional values that are not settled by
-            looking for curves of bad points, which may take seconds; without, they count as not settled.
+        curves: whether "infinite" is to be proved at rational exceptional values that are not settled, by
+            looking for too many bad points, which may take seconds; without, they count as not settled.
 
     Raises DomainError for another number of parameters, UndecidedError if the codimension is infinite or not
     settled at the sample values of a.
@@ -215,7 +216,7 @@ def _samples(family: Family, g: Group, extended: bool) -> list[tuple[Fraction, C
         here = codimension(germ, g, extended)
         if here.finite:
             bound = contact_bound(germ, g) if g.target == "left" else 1
-            assert not isinstance(bound, Curve)  # the codimension is finite
+            assert not isinstance(bound, Degeneration)  # the codimension is finite
             found.append((value, here, bound))
     return sorted(found, key=lambda triple: _value(triple[1]))
 
@@ -269,8 +270,10 @@ def _exceptional(
     value: int | Literal["infinite"] | None = found.at_least if found.settled else None
     if value is None and root is not None:
         member = family.at(**{parameter: root})
-        if not_isolated(member, g) or (curves and degenerate_curve(member, g) is not None):
+        geometry = Geometry(member, g)
+        if curves and geometry.result(SECONDS) is not None:
             value = "infinite"
+        geometry.stop()
     return ExceptionalValue(polynomial_text(q, parameter), root, real_roots(q), value, found.at_least)
 
 

@@ -1,7 +1,9 @@
 """Polynomials in several variables, cut above a total degree: dictionaries from monomials to rationals.
 
 A monomial xᵅ is one integer: the exponents in fields of `BITS` bits and the total degree above them, so that
-the product of monomials is the sum of their integers and the degree is a shift away.
+the product of monomials is the sum of their integers and the degree is a shift away. The degree may count the
+variables with weights: then all functions that name ``weights`` must be given them, and "degree" means the
+weight.
 """
 
 from __future__ import annotations
@@ -12,7 +14,7 @@ from functools import lru_cache
 from itertools import combinations_with_replacement
 
 #: bits of one exponent: degrees up to `LARGEST`
-BITS = 6
+BITS = 12
 LARGEST = (1 << BITS) - 1
 
 Number = int | Fraction
@@ -42,21 +44,44 @@ def degree_of(packed: int, n: int) -> int:
 
 
 @lru_cache(maxsize=64)
-def monomials(n: int, order: int) -> tuple[int, ...]:
+def monomials(n: int, order: int, weights: tuple[int, ...] = ()) -> tuple[int, ...]:
     """All monomials in n variables of degree at most ``order``, by degree.
 
     >>> [exponents_of(m, 2) for m in monomials(2, 2)]
     [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)]
+    >>> [exponents_of(m, 2) for m in monomials(2, 3, (2, 1))]
+    [(0, 0), (0, 1), (0, 2), (1, 0), (0, 3), (1, 1)]
     """
-    units = [variable(i, n) for i in range(n)]
+    units = [variable(i, n, weights) for i in range(n)]
+    if weights:
+        found = [0]
+        for unit in units:
+            top = order + 1 << BITS * n
+            reach = [(unit * e) for e in range(order // (unit >> BITS * n) + 1)]
+            found = [m + power for m in found for power in reach if m + power < top]
+        return tuple(sorted(found, key=lambda m: (degree_of(m, n), -m)))
     return tuple(
         sum(chosen) for degree in range(order + 1) for chosen in combinations_with_replacement(units, degree)
     )
 
 
-def variable(i: int, n: int) -> int:
+def variable(i: int, n: int, weights: tuple[int, ...] = ()) -> int:
     """The monomial xᵢ, i from 0."""
-    return 1 << BITS * n | 1 << BITS * i
+    return (weights[i] if weights else 1) << BITS * n | 1 << BITS * i
+
+
+def weighted(a: Polynomial, n: int, weights: tuple[int, ...]) -> Polynomial:
+    """The same polynomial with monomials whose degree counts the weights.
+
+    >>> [degree_of(m, 2) for m in weighted({monomial((2, 1)): 1}, 2, (3, 5))]
+    [11]
+    """
+    found = {}
+    low = (1 << BITS * n) - 1
+    for m, c in a.items():
+        degree = sum(w * e for w, e in zip(weights, exponents_of(m, n)))
+        found[degree << BITS * n | m & low] = c
+    return found
 
 
 def times(a: Polynomial, b: Polynomial, n: int, order: int) -> Polynomial:
@@ -94,13 +119,13 @@ def cut(a: Polynomial, n: int, order: int) -> Polynomial:
     return {m: c for m, c in a.items() if m < top}
 
 
-def derivative(a: Polynomial, i: int, n: int) -> Polynomial:
+def derivative(a: Polynomial, i: int, n: int, weights: tuple[int, ...] = ()) -> Polynomial:
     """∂/∂xᵢ.
 
     >>> derivative({monomial((2, 1)): 5}, 0, 2) == {monomial((1, 1)): 10}
     True
     """
-    unit = variable(i, n)
+    unit = variable(i, n, weights)
     return {m - unit: c * e for m, c in a.items() if (e := m >> BITS * i & LARGEST)}
 
 

@@ -15,7 +15,6 @@ from typing import Any
 from flint import fmpq_poly, fmpz_poly
 
 from osculant.cas.germs.annihilator import annihilator
-from osculant.cas.germs.codimension import COLUMNS
 from osculant.cas.germs.family import GenericGerm
 from osculant.cas.germs.groups import Group, Version
 from osculant.cas.germs.tangent import JetSpace, Vector, vectors
@@ -25,6 +24,8 @@ Coefficients = tuple[int, ...]
 
 #: orders beyond the generic one that are tried
 MORE = 6
+#: columns of the largest matrix made
+COLUMNS = 7000
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from math import lcm
+from math import comb, lcm
 
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ
@@ -25,6 +25,8 @@ Vector = tuple[Polynomial, ...]
 class JetSpace:
     """The jets of order k of maps in n variables with p components, constants included; columns by degree.
 
+    With ``weights`` the order and the degrees count the variables with them.
+
     >>> space = JetSpace(2, 1, 2)
     >>> space.columns, space.degree(0), space.degree(5)
     (6, 0, 2)
@@ -33,32 +35,45 @@ class JetSpace:
     n: int
     p: int
     order: int
+    weights: tuple[int, ...] = ()
+
+    @property
+    def monomials(self) -> tuple[int, ...]:
+        """The monomials, by degree."""
+        return poly.monomials(self.n, self.order, self.weights)
 
     @property
     def columns(self) -> int:
-        """The dimension p·C(n + k, k)."""
-        return self.p * len(poly.monomials(self.n, self.order))
+        """The dimension, p·C(n + k, k) without weights."""
+        if self.weights:
+            return self.p * len(self.monomials)
+        return self.p * comb(self.n + self.order, self.n)
 
     def place(self) -> dict[int, int]:
         """The number of each monomial; component j of monomial number i has column p·i + j."""
-        return {m: i for i, m in enumerate(poly.monomials(self.n, self.order))}
+        return {m: i for i, m in enumerate(self.monomials)}
 
     def degree(self, column: int) -> int:
-        """The degree of a column's monomial."""
-        return poly.degree_of(poly.monomials(self.n, self.order)[column // self.p], self.n)
+        """The degree of a column's monomial, with the weights."""
+        return poly.degree_of(self.monomials[column // self.p], self.n)
+
+    def plain_degree(self, column: int) -> int:
+        """The degree of a column's monomial, without weights."""
+        return sum(poly.exponents_of(self.monomials[column // self.p], self.n))
 
     def term(self, column: int) -> tuple[int, int]:
-        """(monomial, component) of a column."""
-        return poly.monomials(self.n, self.order)[column // self.p], column % self.p
+        """(monomial without weights, component) of a column."""
+        m, j = self.monomials[column // self.p], column % self.p
+        return (poly.monomial(poly.exponents_of(m, self.n)) if self.weights else m), j
 
     def row(self, vector: Vector, place: dict[int, int]) -> dict[int, int]:
         """The vector as an integer row (a multiple of it, where it has denominators)."""
         entries = {self.p * place[m] + j: c for j, f in enumerate(vector) for m, c in f.items()}
-        common = lcm(*(Fraction(c).denominator for c in entries.values()))
-        return {column: int(c * common) for column, c in entries.items()}
+        common = lcm(*{c.denominator for c in entries.values()})
+        return {column: int(c * common) for column, c in entries.items() if c}
 
 
-def along(jet: Vector, field: Field, n: int, order: int) -> Vector:
+def along(jet: Vector, field: Field, n: int, order: int, weights: tuple[int, ...] = ()) -> Vector:
     """df(ξ) up to degree ``order``; the jet must be known one degree further where ξ(0) is not 0.
 
     >>> x = poly.variable(0, 1)
@@ -70,7 +85,8 @@ def along(jet: Vector, field: Field, n: int, order: int) -> Vector:
         total: Polynomial = {}
         for i, coefficient in enumerate(field):
             if coefficient:
-                total = poly.plus(total, poly.times(coefficient, poly.derivative(f, i, n), n, order))
+                slope = poly.derivative(f, i, n, weights)
+                total = poly.plus(total, poly.times(coefficient, slope, n, order))
         found.append(total)
     return tuple(found)
 
@@ -80,14 +96,22 @@ def order_of(vector: Iterable[Polynomial], n: int) -> int:
     return min(poly.order_of(f, n) for f in vector)
 
 
-def vectors(germ: Germ, group: Group, version: Version, order: int) -> Iterator[Vector]:
-    """Spanning vectors of the tangent space of that version of the group, modulo terms above ``order``."""
-    n, jet = germ.n, germ.jet(order + 1)
-    every = poly.monomials(n, order)
+def vectors(
+    germ: Germ, group: Group, version: Version, order: int, weights: tuple[int, ...] = ()
+) -> Iterator[Vector]:
+    """Spanning vectors of the tangent space of that version of the group, modulo terms above ``order``.
+
+    With ``weights`` the order counts the variables with them; the monomials of the vectors do so too.
+    """
+    n = germ.n
+    jet = _jet(germ, order + max(weights, default=1), weights)
+    every = poly.monomials(n, order, weights)
     for field, least in _fields(germ, group, version):
-        image = along(jet, field, n, order)
-        yield from _multiples(image, (m for m in every if poly.degree_of(m, n) >= least), n, order)
-    jet = germ.jet(order)
+        if weights:
+            field = tuple(poly.weighted(c, n, weights) for c in field)
+        image = along(jet, field, n, order, weights)
+        yield from _multiples(image, (m for m in every if _reaches(m, n, least)), n, order)
+    jet = tuple(_integral(f) for f in _jet(germ, order, weights))  # multiples of the vectors do as well
     if group.target == "left":
         for beta, power in poly.powers(jet, n, order):
             if sum(beta) >= version:
@@ -96,8 +120,30 @@ def vectors(germ: Germ, group: Group, version: Version, order: int) -> Iterator[
         least = max(0, version - 1)
         for f in jet:
             for m in every:
-                if poly.degree_of(m, n) >= least:
+                if _reaches(m, n, least):
                     yield from _units(_shifted(f, m, n, order), germ.p)
+
+
+def _jet(germ: Germ, order: int, weights: tuple[int, ...]) -> Vector:
+    """The components up to that degree, which counts the weights."""
+    if not weights:
+        return germ.jet(order)
+    jet = germ.jet(min(order // min(weights), poly.LARGEST))
+    return tuple(poly.cut(poly.weighted(f, germ.n, weights), germ.n, order) for f in jet)
+
+
+def _integral(f: Polynomial) -> Polynomial:
+    """A multiple of a polynomial with integers as coefficients, which are quicker."""
+    numbers = [c for c in f.values() if isinstance(c, int | Fraction)]
+    if len(numbers) < len(f):
+        return f  # coefficients of another ring
+    common = lcm(*{c.denominator for c in numbers})
+    return {m: int(c * common) for m, c in f.items()}
+
+
+def _reaches(m: int, n: int, least: int) -> bool:
+    """Whether a monomial has that degree, without weights."""
+    return least <= 0 or (m > 0 and (least == 1 or sum(poly.exponents_of(m, n)) >= least))
 
 
 def _fields(germ: Germ, group: Group, version: Version) -> Iterator[tuple[Field, int]]:

@@ -13,9 +13,10 @@ from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import Node, variable
 from osculant.cas.germs.annihilator import annihilator
 from osculant.cas.germs.codimension import codimension, contact_bound
+from osculant.cas.germs.geometry import Degeneration
 from osculant.cas.germs.germ import Germ, as_node
 from osculant.cas.germs.groups import Group, Version, group
-from osculant.cas.germs.infinite import Curve
+from osculant.cas.germs.search import Patience
 from osculant.cas.germs.tangent import JetSpace, Vector, rows, vectors
 
 Term = tuple[int, int]
@@ -29,7 +30,7 @@ class Unfolding:
     germ: Germ
 
 
-def is_stable(germ: Germ, name: str | Group) -> bool:
+def is_stable(germ: Germ, name: str | Group, patience: Patience | None = None) -> bool:
     """Whether the germ is stable for A or A(H), decided exactly.
 
     Raises DomainError for groups without target changes of coordinates, UndecidedError if K-finiteness is not
@@ -41,8 +42,8 @@ def is_stable(germ: Germ, name: str | Group) -> bool:
     g = group(name)
     if g.target != "left":
         raise DomainError(f"Stability is asked of A or A(H), not of {g.name}.")
-    bound = contact_bound(germ, g)
-    if isinstance(bound, Curve):
+    bound = contact_bound(germ, g, patience)
+    if isinstance(bound, Degeneration):
         return False  # a stable germ is K-finite
     return not _beyond_constants(germ, g, bound)
 
@@ -56,7 +57,9 @@ def _beyond_constants(germ: Germ, g: Group, bound: int) -> bool:
     return annihilator(rows(spanning, space), space.columns).codimension > 0
 
 
-def unfolding(germ: Germ, name: str | Group, parameter: str = "t") -> Unfolding:
+def unfolding(
+    germ: Germ, name: str | Group, parameter: str = "t", patience: Patience | None = None
+) -> Unfolding:
     """A miniversal unfolding, with as many parameters as the extended codimension, for R one less.
 
     Constants are no parameters of a function up to R: the value at the critical point is left out.
@@ -67,7 +70,7 @@ def unfolding(germ: Germ, name: str | Group, parameter: str = "t") -> Unfolding:
     't1*x + t2*x**2 + x**4'
     """
     g = group(name)
-    found = codimension(germ, g, extended=True)
+    found = codimension(germ, g, extended=True, patience=patience)
     if found.tangent is None:
         raise DomainError(f"{germ} has no versal unfolding: its {g.name} codimension is infinite.")
     terms = found.tangent.complement()
@@ -88,7 +91,7 @@ def stable_unfolding(genotype: Germ, name: str | Group, parameter: str = "t") ->
     contact = Group(g.name, g.source, "contact", g.fields)
     found = codimension(genotype, contact, extended=True)
     if found.tangent is None:
-        raise DomainError(f"{genotype} has no stable unfolding: it is not finite along {found.curve}.")
+        raise DomainError(f"{genotype} has no stable unfolding: {found.proof}.")
     terms = tuple(term for term in found.tangent.complement() if term[0])
     return Unfolding(terms, _unfolded(genotype, terms, parameter))
 

@@ -1,148 +1,200 @@
-"""Unipotent subgroups between G₁ and G: G₁ and nilpotent linear vector fields, by orders of coordinates.
+"""Unipotent subgroups between G₁ and G: G₁ and nilpotent linear vector fields, triangular for a flag.
 
 For an order of the source coordinates and one of the target coordinates, the fields x_a ∂/∂x_b with a after
 b (tangent to the boundary: never x_a ∂/∂u) and y_i ∂/∂y_j with i after j are strictly triangular; with G₁
 they span the Lie algebra of a unipotent group. What such a field adds to the tangent space is known by its
 values on the annihilator of T G₁ f, so many choices can be tried at the price of small matrices.
+
+Where the coordinates have weights, those of a quasi-homogeneous germ or the eigenvalues of a linear symmetry
+(`osculant.cas.germs.adapted`), the fields that raise the weight come first: they do all that G does to terms
+of higher weight. Then all orders of the coordinates are tried.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from functools import cache, cached_property
-from itertools import islice, permutations
+from functools import cached_property
+from itertools import chain, islice, permutations
 
 from flint import nmod_mat
 
-from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.annihilator import Functional, Row
-from osculant.cas.germs.germ import Germ
-from osculant.cas.germs.groups import Group, Version
+from osculant.cas.germs.adapted import Frame
+from osculant.cas.germs.annihilator import Functional
+from osculant.cas.germs.codimension import Tangent
 from osculant.cas.germs.linear import null_space
-from osculant.cas.germs.tangent import JetSpace, Vector
+from osculant.cas.germs.linear_fields import LinearField, linear_fields, pairings
 
-#: pairs of orders of the coordinates tried at most
-CHOICES = 20000
+#: orders of the coordinates of one side, and sets of fields in one frame, tried at most
+ORDERS, SETS = 720, 2000
 #: the prime of quick tests
-PRIME = 2**31 - 1
+PRIME = 2**30 - 35
 
-
-@dataclass(frozen=True)
-class LinearField:
-    """x_a ∂/∂x_b in the source, or y_a ∂/∂y_b in the target (for C: the matrix unit f_a e_b)."""
-
-    side: str
-    a: int
-    b: int
-
-    def image(self, germ: Germ, order: int) -> Vector:
-        """What the field contributes to the tangent space at a germ."""
-        return self.applied(germ.jet(order), germ.n)
-
-    def applied(self, vector: Vector, n: int) -> Vector:
-        """The field applied to a vector of polynomials in n variables; it keeps the degree."""
-        if self.side == "target":
-            return tuple(vector[self.a] if j == self.b else {} for j in range(len(vector)))
-        found = []
-        for f in vector:
-            image = poly.derivative(f, self.b, n)
-            found.append({m + poly.variable(self.a, n): c for m, c in image.items()})
-        return tuple(found)
-
-    def text(self, germ: Germ) -> str:
-        """The field as written: x∂/∂y or y1∂/∂y2."""
-        if self.side == "target":
-            return f"y{self.a + 1}∂/∂y{self.b + 1}"
-        return f"{germ.source[self.a]}∂/∂{germ.source[self.b]}"
-
-
-def linear_fields(germ: Germ, group: Group) -> list[LinearField]:
-    """All nilpotent linear fields x_a ∂/∂x_b, y_i ∂/∂y_j (a ≠ b, i ≠ j) that belong to the group.
-
-    >>> from osculant.cas.germs.groups import group
-    >>> [f.text(Germ("x + u", "x u")) for f in linear_fields(Germ("x + u", "x u"), group("R(H)"))]
-    ['u∂/∂x']
-    """
-    found = []
-    if group.source in {"all", "boundary"}:
-        fixed = germ.boundary_index if group.source == "boundary" else -1
-        found += [
-            LinearField("source", a, b) for a in range(germ.n) for b in range(germ.n) if a != b and b != fixed
-        ]
-    if group.target != "none":
-        found += [LinearField("target", i, j) for i in range(germ.p) for j in range(germ.p) if i != j]
-    return found
+Fields = tuple[LinearField, ...]
+#: of linear fields on the functionals
+Values = dict[LinearField, list[Fraction]]
 
 
 class Choices:
     """The annihilator of T G₁ f, and how it shrinks when nilpotent linear fields are added.
 
     Args:
-        space: the jets the functionals live on.
-        functionals: a basis of the annihilator of T G₁ f there.
-        rows: the row of each linear field.
+        first: the tangent space T G₁ f.
+        exact: whether all of T G₁ f is known by it, not only its jets.
     """
 
-    def __init__(
-        self, space: JetSpace, functionals: Sequence[Functional], rows: dict[LinearField, Row]
-    ) -> None:
-        self.space, self.functionals = space, functionals
-        values = {
-            field: [
-                sum((value * row[c] for c, value in f.items() if c in row), Fraction(0)) for f in functionals
-            ]
-            for field, row in rows.items()
-        }
-        #: the fields that are not in T G₁ f already, with their values on the functionals
-        self.useful = {field: v for field, v in values.items() if any(v)}
-
-    def depth(self, fields: Sequence[LinearField]) -> int:
-        """m with M^{m+1}θ ⊂ T + M^{order+1}θ for T = T G₁ f and these fields, and no smaller m."""
-        conditions = [self.useful[f] for f in fields if f in self.useful]
-        kernel = null_space(conditions, len(self.functionals))
-        columns = {c for vector in kernel for c in _combined(vector, self.functionals)}
-        return max((self.space.degree(c) for c in columns), default=-1)
-
-    def settles(self, fields: Sequence[LinearField], k: int) -> bool:
-        """Whether the depth is at most k, seen modulo a prime: quick, and nearly always right."""
-        conditions = [self._residues[f] for f in fields if f in self._residues]
-        return _rank(conditions + self._beyond(k)) == _rank(conditions)
+    def __init__(self, first: Tangent, exact: bool = False) -> None:
+        self.first, self.space, self.exact = first, first.space, exact
+        self.functionals = first.annihilator.functionals
+        self._degrees = [self.space.plain_degree(c) for c in range(self.space.columns)]
+        self._far: dict[int, list[list[int]]] = {}
 
     @cached_property
-    def _residues(self) -> dict[LinearField, list[int]]:
-        return {f: [_residue(v) for v in values] for f, values in self.useful.items()}
+    def values(self) -> Values:
+        """The values of the linear fields of the group, in the coordinates given, on the functionals."""
+        t = self.first
+        return {
+            field: pairings(field, t.germ, self.space, self.functionals)
+            for field in linear_fields(t.germ, t.group)
+        }
 
-    @cache  # noqa: B019  (an instance lives as long as one search)
+    def moved(self, frame: Frame) -> Values:
+        """The values of the fields of a frame; those that are 0 are left out."""
+        if not frame.moved:
+            return {f: v for f, v in self.values.items() if any(v)}
+        t, found = self.first, {}
+        diagonal = self._diagonal
+        for field in linear_fields(t.germ, t.group):
+            matrix = frame.field(field)
+            total = [Fraction(0)] * len(self.functionals)
+            for c, row in enumerate(matrix):
+                for i, entry in enumerate(row):
+                    if entry:
+                        part = diagonal[LinearField(field.side, c, i)]
+                        total = [a + entry * b for a, b in zip(total, part)]
+            if any(total):
+                found[field] = total
+        return found
+
+    @cached_property
+    def _diagonal(self) -> Values:
+        t = self.first
+        more = [LinearField("source", i, i) for i in range(t.germ.n)]
+        more += [LinearField("target", i, i) for i in range(t.germ.p)]
+        return {
+            **self.values,
+            **{f: pairings(f, t.germ, self.space, self.functionals) for f in more},
+        }
+
+    def annihilator(self, frame: Frame, fields: Fields) -> list[Functional]:
+        """A basis of the functionals that vanish on T G₁ f and on the fields."""
+        values = self.moved(frame)
+        kernel = null_space([values[f] for f in fields if f in values], len(self.functionals))
+        return [_combined(vector, self.functionals) for vector in kernel]
+
+    def depth(self, vectors: Sequence[list[Fraction]]) -> int:
+        """m with M^{m+1}θ ⊂ T for T = T G₁ f and fields with these values, and no smaller m."""
+        kernel = null_space(vectors, len(self.functionals))
+        columns = {c for vector in kernel for c in _combined(vector, self.functionals)}
+        return max((self._degrees[c] for c in columns), default=-1)
+
+    def settles(self, vectors: Sequence[list[int]], k: int) -> bool:
+        """Whether the depth is at most k, seen modulo a prime: quick, and nearly always right."""
+        return _rank([*vectors, *self._beyond(k)]) == _rank(vectors)
+
     def _beyond(self, k: int) -> list[list[int]]:
         """A basis, modulo a prime, of the functionals' entries on the columns of degree above k."""
-        columns = {c for f in self.functionals for c in f if self.space.degree(c) > k}
-        rows = [[_residue(f.get(c, Fraction(0))) for f in self.functionals] for c in sorted(columns)]
-        if not rows:
-            return []
-        form, rank = nmod_mat(len(rows), len(rows[0]), [v for row in rows for v in row], PRIME).rref()
-        width = len(rows[0])
-        return [[int(form[i, j]) for j in range(width)] for i in range(rank)]
+        if k not in self._far:
+            columns = {c for f in self.functionals for c in f if self._degrees[c] > k}
+            rows = [[residue(f.get(c, Fraction(0))) for f in self.functionals] for c in sorted(columns)]
+            self._far[k] = _echelon(rows)
+        return self._far[k]
 
-    def triangular(self) -> Iterator[tuple[LinearField, ...]]:
-        """The largest sets of useful fields that some order of the coordinates makes triangular."""
-        sides = []
-        for side in ("source", "target"):
-            fields = [f for f in self.useful if f.side == side]
-            moved = sorted({i for f in fields for i in (f.a, f.b)})
-            sets: dict[frozenset[LinearField], None] = {}
-            for order in islice(permutations(moved), CHOICES):
-                place = {coordinate: i for i, coordinate in enumerate(order)}
-                sets[frozenset(f for f in fields if place[f.a] > place[f.b])] = None
-            sides.append([s for s in sets if not any(s < other for other in sets)])
-        for source in sides[0]:
-            for target in sides[1]:
-                yield tuple(sorted(source | target, key=lambda f: (f.side, f.a, f.b)))
+    def raising(self, frame: Frame, k: int) -> tuple[Frame, Fields] | None:
+        """No fields, or those that raise the weights of the frame, if M^{k+1}θ ⊂ T with them."""
+        if self.depth(()) <= k:
+            return frame, ()
+        return self._found(frame, k, _by_weight)
+
+    def proof(self, frames: Iterator[Frame], k: int) -> tuple[Frame, Fields] | None:
+        """Fields with which M^{k+1}θ ⊂ T, few of them, and their frame; None if none were found."""
+        for frame in frames:
+            found = self._found(frame, k, _triangular)
+            if found is not None:
+                return found
+        return None
+
+    def _found(
+        self, frame: Frame, k: int, sets: Callable[[Frame, Values], Iterator[Fields]]
+    ) -> tuple[Frame, Fields] | None:
+        values = self.moved(frame)
+        residues = {f: [residue(v) for v in vector] for f, vector in values.items()}
+
+        def enough(fields: Fields) -> bool:
+            if not self.settles([residues[f] for f in fields], k):
+                return False
+            return self.depth([values[f] for f in fields]) <= k
+
+        if not self.settles(list(residues.values()), k):
+            return None
+        for fields in islice(sets(frame, values), SETS):
+            if enough(fields):
+                for field in fields:  # leave out what is not needed
+                    fewer = tuple(f for f in fields if f != field)
+                    fields = fewer if enough(fewer) else fields
+                return frame, fields
+        return None
 
 
-def _residue(value: Fraction) -> int:
+def _triangular(frame: Frame, values: Values) -> Iterator[Fields]:
+    """Sets of fields that are triangular together: by the weights, and by all orders of the coordinates."""
+    seen = set()
+    for fields in chain(_by_weight(frame, values), _by_order(values)):
+        if fields and fields not in seen:
+            seen.add(fields)
+            yield fields
+
+
+def _by_weight(frame: Frame, values: Values) -> Iterator[Fields]:
+    """The fields that raise the weights, or lower them, on either side."""
+    own, theirs = frame.source_weights, frame.target_weights
+    if own is None or theirs is None:
+        return
+    height = {"source": [(w, i) for i, w in enumerate(own)], "target": [(w, i) for i, w in enumerate(theirs)]}
+    for source, target in ((True, True), (False, False), (True, False)):
+        up = {"source": source, "target": target}
+        yield tuple(f for f in values if (height[f.side][f.a] > height[f.side][f.b]) == up[f.side])
+
+
+def _by_order(values: Values) -> Iterator[Fields]:
+    """The largest sets of fields that some order of the coordinates makes triangular."""
+    sides = []
+    for side in ("source", "target"):
+        fields = [f for f in values if f.side == side]
+        bits = {f: 1 << i for i, f in enumerate(fields)}
+        touched = sorted({i for f in fields for i in (f.a, f.b)})
+        sets: dict[int, None] = {}
+        for order in islice(permutations(touched), ORDERS):
+            place = {coordinate: i for i, coordinate in enumerate(order)}
+            sets[sum(bit for f, bit in bits.items() if place[f.a] > place[f.b])] = None
+        largest = [s for s in sets if not any(s != other and s & other == s for other in sets)]
+        sides.append([tuple(f for f, bit in bits.items() if s & bit) for s in largest])
+    for one in sides[0]:
+        for other in sides[1]:
+            yield tuple(sorted((*one, *other), key=lambda f: (f.side, f.a, f.b)))
+
+
+def residue(value: Fraction) -> int:
+    """A rational number modulo `PRIME`; 0 where the prime is in its denominator."""
     return value.numerator * pow(value.denominator, -1, PRIME) % PRIME if value.denominator % PRIME else 0
+
+
+def _echelon(rows: Sequence[Sequence[int]]) -> list[list[int]]:
+    if not rows:
+        return []
+    width = len(rows[0])
+    form, rank = nmod_mat(len(rows), width, [v for row in rows for v in row], PRIME).rref()
+    return [[int(form[i, j]) for j in range(width)] for i in range(rank)]
 
 
 def _rank(rows: Sequence[Sequence[int]]) -> int:
@@ -158,15 +210,3 @@ def _combined(weights: Sequence[Fraction], functionals: Sequence[Functional]) ->
             for c, value in functional.items():
                 total[c] = total.get(c, Fraction(0)) + weight * value
     return {c: v for c, v in total.items() if v}
-
-
-def choices(germ: Germ, group: Group, order: int) -> Choices:
-    """The choices for a germ in the jets of one order."""
-    from osculant.cas.germs.codimension import tangent
-
-    first = tangent(germ, group, Version.UNIPOTENT, order)
-    place = first.space.place()
-    fields: dict[LinearField, Row] = {
-        f: first.space.row(f.image(germ, order), place) for f in linear_fields(germ, group)
-    }
-    return Choices(first.space, first.annihilator.functionals, fields)

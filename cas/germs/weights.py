@@ -1,8 +1,6 @@
-"""Quasi-homogeneous germs: weights, the Milnor number they give, and the proof that there is none.
+"""Quasi-homogeneous germs: weights for which all monomials of a component have one weight.
 
-If all monomials of fⱼ have the weight dⱼ, tangent spaces split by weight. For a function of weight d with an
-isolated critical point at 0 the partial derivatives, of weights d − wᵢ, are a regular sequence: the Milnor
-algebra has dimension Π (d − wᵢ)/wᵢ (Milnor and Orlik), and its highest weight is Σ (d − 2wᵢ).
+Tangent spaces split by weight then, and jets that are cut by weight are far smaller than those cut by degree.
 """
 
 from __future__ import annotations
@@ -15,14 +13,14 @@ from math import gcd, lcm
 
 from osculant.cas.errors import DomainError
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.germ import Germ
-from osculant.cas.germs.groups import Group, Version
 from osculant.cas.germs.linear import null_space
 from osculant.cas.germs.polynomials import LARGEST
 
 #: where the weights are not unique: the largest weight of a variable that is free
 FREE = 12
+#: and how many choices of them are tried at most
+CHOICES = 2000
 
 
 @dataclass(frozen=True)
@@ -37,7 +35,7 @@ def weights(germ: Germ) -> Weights | None:
     """Weights for which a polynomial germ is quasi-homogeneous in the coordinates given; None if it is not.
 
     A component that is 0 has weight 0. If the weights are not unique, small ones are chosen, with the free
-    weights up to 12; None then means that there are none of that size.
+    weights up to 12 (less where more than three are free); None then means that there are none of that size.
 
     Raises DomainError for a germ that is not polynomial.
 
@@ -61,7 +59,8 @@ def weights(germ: Germ) -> Weights | None:
 
 def _positive(basis: Sequence[Sequence[Fraction]]) -> tuple[int, ...] | None:
     """A small positive integer vector in the span of a basis whose free coordinates are unit vectors."""
-    factors = sorted(product(range(1, FREE + 1), repeat=len(basis)), key=lambda f: (max(f, default=0), f))
+    free = max((f for f in range(1, FREE + 1) if f ** len(basis) <= CHOICES), default=1)
+    factors = sorted(product(range(1, free + 1), repeat=len(basis)), key=lambda f: (max(f, default=0), f))
     for chosen in factors:
         vector = [sum((f * v for f, v in zip(chosen, column)), Fraction(0)) for column in zip(*basis)]
         if vector and min(vector) > 0:
@@ -75,21 +74,11 @@ def _weight(source: Sequence[int], exponents: Sequence[int]) -> int:
     return sum(w * e for w, e in zip(source, exponents))
 
 
-def not_isolated(germ: Germ, group: Group) -> bool:
-    """Proof that a quasi-homogeneous function has infinite R and K codimension; False proves nothing.
+def graded_by(germ: Germ) -> tuple[int, ...] | None:
+    """The weights of the variables of a quasi-homogeneous germ, if they are not all equal; else None.
 
-    An isolated critical point would have M^kθ ⊂ T R_e f for k·min wᵢ > Σ (d − 2wᵢ); it is tried, exactly.
-
-    >>> from osculant.cas.germs.groups import GROUPS
-    >>> not_isolated(Germ("(x**2 + y**2)**2", "x y"), GROUPS["R"])
-    True
+    >>> graded_by(Germ("x, x*y + y**10", "x y")), graded_by(Germ("x**2 + y**2", "x y"))
+    ((9, 1), None)
     """
-    if germ.p != 1 or group.source != "all" or group.target == "left" or germ.polynomial(LARGEST) is None:
-        return False
-    found = weights(germ)
-    if found is None or not found.target[0]:
-        return False
-    # f itself is in the ideal of its partial derivatives (Euler): R and K have the same tangent space
-    highest = max(sum(found.target[0] - 2 * w for w in found.source), 0)
-    k = highest // min(found.source) + 1
-    return tangent(germ, Group("R", "all", "none"), Version.EXTENDED, k).depth >= k
+    found = None if germ.polynomial(LARGEST) is None else weights(germ)
+    return None if found is None or max(found.source) == 1 else found.source

@@ -1,1 +1,1 @@
-"""Errors enclosed in ball arithmetic."""
+"""Certificates: errors enclosed in ball arithmetic, and the independent checker of certificate files."""

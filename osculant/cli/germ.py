@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from osculant.cli.grammar import FormulaCommand, UsageError
-from osculant.cli.options import AsJson, whole_number
+from osculant.cli.options import AsJson, number, whole_number
 from osculant.cli.output import WIDEST, Waiting, output_width, print_json, print_rows
 
 Formulas = Annotated[
@@ -44,7 +44,18 @@ Order = Annotated[
         help="For --transversal: coordinates x, y1, ..., the lightest first; nilpotent fields then help.",
     ),
 ]
-Certificate = Annotated[bool, typer.Option("--certificate", help="Print the certificates as well.")]
+Patience = Annotated[
+    str,
+    typer.Option(
+        "--patience",
+        metavar="SECONDS",
+        help="Processor time after which what is not decided is said to be undecided.",
+    ),
+]
+Certificate = Annotated[
+    bool,
+    typer.Option("--certificate", help="Print the certificates as well, with --json for `osculant check`."),
+]
 
 #: columns of the names in front of the answers
 MARGIN = 22
@@ -65,6 +76,7 @@ def germ(
     boundary: Boundary = None,
     transversal: Transversal = None,
     order: Order = None,
+    patience: Patience = "10",
     certificate: Certificate = False,
     as_json: AsJson = False,
 ) -> None:
@@ -80,7 +92,7 @@ def germ(
     from osculant.germs import map_germ
     from osculant.germs.report import report
 
-    given = map_germ.germ(formula, source, boundary)
+    given = map_germ.germ(formula, source, boundary, patience=number(patience, "--patience"))
     if transversal is not None:
         k = whole_number(transversal, "--transversal")
         data: dict[str, Any] = {
@@ -96,6 +108,8 @@ def germ(
         with Waiting("computing") as progress:
             data = report(given, group, progress)
     if as_json:
+        if certificate and transversal is None:
+            data = {"kind": "germ", "version": 1, **data}  # a certificate file
         print_json(data)
         return
     if transversal is not None:
@@ -123,7 +137,7 @@ def rows(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
     >>> from osculant.germs.map_germ import germ
     >>> from osculant.germs.report import report
     >>> dict(rows(report(germ("x, x*y + y**3", "x y"))))["determinacy"]
-    '3, sharp: the 2-jet has a codimension of at least 3, not 2'
+    '3, sharp: x, x*y has the same 2-jet and M^3θ not in its tangent space'
     """
     reasons = data["reason"]
 
@@ -175,8 +189,8 @@ def certificate_rows(certificate: dict[str, Any]) -> Iterator[tuple[str, str]]:
         found = certificate[key]
         if found is None:
             continue
-        if found["kind"] == "curve":
-            yield name, f"of infinite codimension: the germ stays degenerate along {found['curve']}"
+        if found["kind"] == "locus":
+            yield name, f"of infinite codimension: {found['sentence']}"
             continue
         count = len(found["functionals"])
         if count:

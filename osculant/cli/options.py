@@ -23,6 +23,7 @@ NAMES = {
     "t": "--at",
     "split_at": "--split-at",
     "plot()": "--plot",
+    "patience": "--patience",
     "osculant.cas.claims.all_claims()": "`osculant verify --list`",
 }
 

@@ -21,13 +21,16 @@ if TYPE_CHECKING:
     from osculant.cas.germs.codimension import Codimension
     from osculant.cas.germs.determinacy import Determinacy
     from osculant.cas.germs.local_algebra import LocalAlgebra
+    from osculant.cas.germs.search import Patience
     from osculant.cas.germs.unfolding import Unfolding
 
 Size = int | Literal["infinite"]
+#: seconds that a question has at least
+LEAST = 1.0
 GroupName = str | Group | None
 
 
-def germ(formulas: Any, source: Any, boundary: Any = None) -> MapGerm:
+def germ(formulas: Any, source: Any, boundary: Any = None, *, patience: float = 10.0) -> MapGerm:
     """A map-germ (Kⁿ,0) → (Kᵖ,0) from the formulas of its components.
 
     Args:
@@ -37,10 +40,12 @@ def germ(formulas: Any, source: Any, boundary: Any = None) -> MapGerm:
             symbols.
         boundary: the variable u of H = {u = 0} for the groups R(H), K(H) and A(H), which preserve H; by
             default the variable called ``u`` if there is one.
+        patience: seconds of processor time for a question (a report: for all of them, and one second more for
+            each that is left then); what is not decided in that time is told to be undecided.
 
     Raises FormulaError for what is no formula, uses other variables or has no component; DomainError for a
     germ that does not vanish at 0, is not analytic there or has coefficients that are not rational, and for a
-    boundary that is no source variable.
+    boundary that is no source variable, and for a patience that is not positive.
 
     >>> germ("x1, x2, x3**2 + x1*u + x2*u**2 + u**3", "x1 x2 x3 u").codimension("A(H)")
     3
@@ -48,8 +53,11 @@ def germ(formulas: Any, source: Any, boundary: Any = None) -> MapGerm:
     >>> germ([x, y**2, 0], [x, y]).codimension("A")
     'infinite'
     """
+    if not patience > 0:
+        raise DomainError(f"patience: {patience} is no positive number of seconds.", argument="patience")
     names = _names(source)
-    return MapGerm(Germ(_components(formulas, names), names, None if boundary is None else str(boundary)))
+    exact = Germ(_components(formulas, names), names, None if boundary is None else str(boundary))
+    return MapGerm(exact, patience)
 
 
 def _names(source: Any) -> tuple[str, ...]:
@@ -99,18 +107,22 @@ class MapGerm:
         boundary: the variable u of H = {u = 0}, or None.
         components: the formulas of the components.
         rank: the rank of df at 0.
+        seconds: of processor time for one question; then UndecidedError is raised.
+        clock: the time for several questions together, if there is one.
 
     >>> cusp = germ("x, x*y + y^3", "x y")
     >>> cusp.source, cusp.target, cusp.rank, cusp.components
     (('x', 'y'), 2, 1, ('x', 'x*y + y**3'))
     """
 
-    def __init__(self, exact: Germ) -> None:
+    def __init__(self, exact: Germ, patience: float = 10.0) -> None:
         self.exact = exact
         self.source, self.target, self.boundary = exact.source, exact.p, exact.boundary
         self.components = tuple(to_text(node) for node in exact.components)
         self.rank = exact.rank
         self._codimensions: dict[tuple[Group, bool], Codimension] = {}
+        self.seconds = patience
+        self.clock: Patience | None = None
 
     def group(self, name: GroupName = None) -> Group:
         """The group of that name, or the one that is meant where none is named; DomainError if unknown.
@@ -139,7 +151,7 @@ class MapGerm:
         """
         from osculant.cas.germs.determinacy import determinacy
 
-        return determinacy(self.exact, self.group(group))
+        return determinacy(self.exact, self.group(group), self.patience)
 
     def is_stable(self, group: GroupName = None) -> bool:
         """Whether the germ is stable for A or A(H); DomainError for other groups.
@@ -149,7 +161,7 @@ class MapGerm:
         """
         from osculant.cas.germs.unfolding import is_stable
 
-        return is_stable(self.exact, self.group(group))
+        return is_stable(self.exact, self.group(group), self.patience)
 
     def unfolding(self, group: GroupName = None, parameter: str = "t") -> GermUnfolding:
         """A miniversal unfolding, with parameters t1, t2, …; DomainError for infinite codimension.
@@ -159,7 +171,7 @@ class MapGerm:
         """
         from osculant.cas.germs.unfolding import unfolding
 
-        return self._unfolded(unfolding(self.exact, self.group(group), parameter))
+        return self._unfolded(unfolding(self.exact, self.group(group), parameter, self.patience))
 
     def stable_unfolding(self, group: GroupName = None, parameter: str = "t") -> GermUnfolding:
         """The least stable unfolding of the germ, taken as a genotype; DomainError if it is not K-finite.
@@ -227,13 +239,14 @@ class MapGerm:
         >>> germ("x**2, y**2, x*y", "x y").q_algebra.hilbert
         (1, 2)
         """
-        from osculant.cas.germs.infinite import degenerate_curve
         from osculant.cas.germs.local_algebra import q_algebra
 
-        # Fewer functions than variables have a curve of common zeros; T C_e f = Iθ is not finite along one.
-        if self.target < self.exact.n or degenerate_curve(self.exact, self.group("C")) is not None:
+        if self.target < self.exact.n:
+            return "infinite"  # fewer functions than variables have a curve of common zeros
+        try:
+            return q_algebra(self.exact, self.patience)
+        except DomainError:
             return "infinite"
-        return q_algebra(self.exact)
 
     @property
     def ramification(self) -> LocalAlgebra | Literal["infinite"]:
@@ -248,7 +261,21 @@ class MapGerm:
         if self.rank == min(n, p):
             return LocalAlgebra(0, ())
         # Unless it is everything, an ideal of largest minors has height |n − p| + 1 at most.
-        return "infinite" if n > abs(n - p) + 1 else ramification(self.exact)
+        if n > abs(n - p) + 1:
+            return "infinite"
+        try:
+            return ramification(self.exact, self.patience)
+        except DomainError:
+            return "infinite"
+
+    @property
+    def patience(self) -> Patience:
+        """The time that a question asked now may take."""
+        from osculant.cas.germs.search import Patience
+
+        return Patience(
+            self.seconds if self.clock is None else max(self.clock.left(), min(LEAST, self.seconds))
+        )
 
     def proved_codimension(self, group: GroupName = None, *, extended: bool = False) -> Codimension:
         """The codimension with its proof, as `osculant.cas.germs.codimension` has it; computed once."""
@@ -258,7 +285,7 @@ class MapGerm:
         if (g, not extended) in known and not known[g, not extended].finite:
             return known[g, not extended]  # both are infinite, or neither
         if (g, extended) not in known:
-            known[g, extended] = codimension(self.exact, g, extended)
+            known[g, extended] = codimension(self.exact, g, extended, self.patience)
         return known[g, extended]
 
     def term(self, term: tuple[int, int]) -> str:
@@ -275,7 +302,7 @@ class MapGerm:
         return f"({', '.join(text if j == component else '0' for j in range(self.target))})"
 
     def _unfolded(self, found: Unfolding) -> GermUnfolding:
-        return GermUnfolding(tuple(map(self.term, found.terms)), MapGerm(found.germ))
+        return GermUnfolding(tuple(map(self.term, found.terms)), MapGerm(found.germ, self.seconds))
 
     def __repr__(self) -> str:
         return f"<MapGerm {', '.join(self.components)} in {' '.join(self.source)}>"

@@ -9,9 +9,12 @@ What is undecided or has no meaning for the germ is null, and ``reason`` has a s
 
 ``certificate`` has under "codimension", "extended_codimension" and "determinacy" what an independent checker
 needs, null where there is no answer. A finite codimension has the functionals that vanish on the tangent
-space in the jets of an order, each by its values on the terms where it is not 0; infinity has a curve of bad
-points; a degree of determinacy has the bound l with M^lθ ⊂ T K_e f, the order of jets k + l, and the
-nilpotent linear fields added to G₁.
+space in the jets of an order, each by its values on the terms where it is not 0 (with weights, the order
+counts the variables with them), and under "contact" the same of T K_e f; infinity has a locus of bad points
+and the proof that it has so many dimensions at the origin (a Gröbner basis as in
+`osculant.cas.germs.local_dimension`, or the count of equations); a degree of determinacy has the bound l with
+M^lθ ⊂ T K_e f, the order of jets k + l, the nilpotent linear fields added to G₁ and the functionals that
+vanish on what they span together.
 """
 
 from __future__ import annotations
@@ -54,7 +57,13 @@ def report(
         "group": acting.name,
         "rank": germ.rank,
     }
-    return told | _Questions(germ, acting).answers(progress or (lambda part: None))
+    from osculant.cas.germs.search import Patience
+
+    germ.clock = Patience(germ.seconds)
+    try:
+        return told | _Questions(germ, acting).answers(progress or (lambda part: None))
+    finally:
+        germ.clock = None
 
 
 def certificate(germ: MapGerm, group: GroupName = None) -> dict[str, Any]:
@@ -73,17 +82,44 @@ def codimension_certificate(germ: MapGerm, found: Codimension) -> dict[str, Any]
 
     >>> from osculant.germs.map_germ import germ
     >>> g = germ("x, y**2, 0", "x y")
-    >>> codimension_certificate(g, g.proved_codimension("A"))
-    {'kind': 'curve', 'curve': '(t, 0)'}
+    >>> found = codimension_certificate(g, g.proved_codimension("A"))
+    >>> found["kind"], found["locus"]["kind"], found["dimension"]
+    ('locus', 'rank', 1)
     """
-    told = found.certificate()
-    if found.tangent is not None:
-        space = found.tangent.space
-        told["functionals"] = [
-            {germ.term(space.term(c)): str(value) for c, value in sorted(functional.items())}
-            for functional in found.tangent.annihilator.functionals
-        ]
-    return told
+    return _with_terms(germ, found.certificate())
+
+
+def certificate_file(germ: MapGerm, group: GroupName = None) -> dict[str, Any]:
+    """All answers about a germ as a certificate file, which `osculant.certificates.checker.check` checks.
+
+    >>> from osculant.germs.map_germ import germ
+    >>> found = certificate_file(germ("x**2", "x"))
+    >>> found["kind"], found["version"], found["codimension"]
+    ('germ', 1, 1)
+    """
+    return {"kind": "germ", "version": 1, **report(germ, group)}
+
+
+def _with_terms(germ: MapGerm, told: dict[str, Any]) -> dict[str, Any]:
+    """A certificate of the exact room with terms as text in place of the numbers of columns."""
+    from osculant.cas.germs.tangent import JetSpace
+
+    found: dict[str, Any] = {}
+    space = JetSpace(len(germ.source), germ.target, told.get("order", 0), tuple(told.get("weights", ())))
+
+    def named(values: dict[int, str]) -> dict[str, str]:
+        return {germ.term(space.term(c)): value for c, value in sorted(values.items())}
+
+    for key, value in told.items():
+        if key == "functionals":
+            found[key] = [named(functional) for functional in value]
+        elif key == "values":
+            found[key] = named(value)
+        elif key in {"contact", "annihilator", "first", "functional"}:
+            found[key] = _with_terms(germ, value)
+        else:
+            found[key] = value
+    return found
 
 
 class _Questions:
@@ -140,9 +176,9 @@ class _Questions:
     def determinacy(self) -> tuple[Any, bool | None, str]:
         if not self.found().finite:  # then no degree is enough
             self.certificates["determinacy"] = self.certificates["codimension"]
-            return "infinite", None, f"not finitely determined: bad along {self.found().curve}"
+            return "infinite", None, f"not finitely determined: {self.found().proof}"
         found = self.germ.determinacy(self.group)
-        self.certificates["determinacy"] = found.certificate()
+        self.certificates["determinacy"] = _with_terms(self.germ, found.certificate())
         return found.degree, found.sharp, found.reason
 
     def stable(self) -> tuple[bool]:

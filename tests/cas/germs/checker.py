@@ -1,4 +1,4 @@
-"""A short checker of the certificates of the germ engine, which shares no code with it.
+"""A short checker of the certificates of finite germs, which shares no code with the engine.
 
 Polynomials are dictionaries {exponents: Fraction}, elimination is Gauss's, jets come from sympy. A
 certificate numbers its columns so: the monomials by degree, those of a degree in the order of
@@ -15,7 +15,9 @@ from itertools import combinations_with_replacement, product
 from typing import Any
 
 import sympy
-from sympy.polys.matrices import DomainMatrix
+
+from osculant.certificates import check_algebra, check_tangents
+from osculant.certificates.check_loci import check_locus
 
 Exponents = tuple[int, ...]
 Polynomial = dict[Exponents, Fraction]
@@ -200,9 +202,9 @@ def check_bound(problem: Problem, bound: int) -> None:
 
 def check_codimension(problem: Problem, extended: bool, value: Any, certificate: dict[str, Any]) -> None:
     """Raises RejectedError unless the certificate proves that the codimension has this value."""
-    if certificate["kind"] == "curve":
-        require(value == "infinite", "a curve proves only that a codimension is infinite")
-        check_curve(problem, certificate["curve"])
+    if certificate["kind"] == "locus":
+        require(value == "infinite", "a locus proves only that a codimension is infinite")
+        check_infinite(problem, certificate)
         return
     order, prime = certificate["order"], certificate["prime"]
     require(sympy.isprime(prime), f"{prime} is no prime")
@@ -230,9 +232,9 @@ def check_codimension(problem: Problem, extended: bool, value: Any, certificate:
 
 def check_determinacy(problem: Problem, degree: Any, certificate: dict[str, Any]) -> None:
     """Raises RejectedError unless the certificate proves the germ to be determined to this degree."""
-    if certificate["kind"] == "curve":
-        require(degree == "infinite", "a curve proves only that a germ is not finitely determined")
-        check_curve(problem, certificate["curve"])
+    if certificate["kind"] == "locus":
+        require(degree == "infinite", "a locus proves only that a germ is not finitely determined")
+        check_infinite(problem, certificate)
         return
     order, bound = certificate["order"], certificate["bound"]
     require(degree >= 1 and bound >= 1 and degree + bound <= order, "the order of the jets is too small")
@@ -268,64 +270,13 @@ def check_triangular(fields: list[str]) -> None:
         edges -= last
 
 
-def check_curve(problem: Problem, text: str) -> None:
-    """The generic point of the curve (or pair) is bad: ranks over ℚ(t)."""
-    t = sympy.Symbol("t")
-    points = [sympy.sympify(f"[{part.strip()[1:-1]}]", locals={"t": t}) for part in text.split(" and ")]
-    for point in points:
-        require(len(point) == problem.n and any(point), "that is no curve in the source")
-        require(all(sympy.sympify(c).subs(t, 0) == 0 for c in point), "the curve does not start at 0")
-    images = [
-        [f.subs(dict(zip(problem.symbols, q)), simultaneous=True) for f in problem.formulas] for q in points
-    ]
-    same = all(sympy.expand(a - b) == 0 for image in images for a, b in zip(image, images[0]))
-    require(same, "the points have different images")
-    target = GROUPS[problem.group][1]
-    require(len(points) == 1 or (target == "left" and points[0] != points[1]), "these are no two points")
-    # a germ that is finite for A is finite for K: either failure will do
-    failures = [bad(problem, points, t, target)]
-    if target == "left" and len(points) == 1:
-        failures.append(bad(problem, points, t, "contact"))
-    require(any(failures), "the germ is not degenerate along the curve")
-
-
-def bad(problem: Problem, points: list[list[sympy.Expr]], t: sympy.Symbol, target: str) -> bool:
-    """Whether the tangent space at the generic point is not everything, in jets of order p (A) or 0."""
-    p, order = problem.p, problem.p if target == "left" else 0
-    every = monomials(problem.n, order)
-    width = p * len(every) * len(points)
-    place = {(i, e, j): k for k, (i, e, j) in enumerate(product(range(len(points)), every, range(p)))}
-    rows = [
-        {place[i, e, j]: c for e, j, c in entries}
-        for i, point in enumerate(points)
-        for entries in at_point(problem, point, order, target)
-    ]
-    if target == "left":
-        zero = (0,) * problem.n
-        rows += [{place[i, zero, j]: sympy.Integer(1) for i in range(len(points))} for j in range(p)]
-    field = sympy.QQ.frac_field(t)
-    matrix = [[field.from_sympy(sympy.sympify(row.get(c, 0))) for c in range(width)] for row in rows]
-    return bool(DomainMatrix(matrix, (len(rows), width), field).rank() < width)
-
-
-def at_point(
-    problem: Problem, point: list[sympy.Expr], order: int, target: str
-) -> Iterator[list[tuple[Exponents, int, sympy.Expr]]]:
-    x = problem.symbols
-    here = dict(zip(x, [a + q for a, q in zip(x, point)]))
-    moved = [sympy.expand(f.subs(here, simultaneous=True)) for f in problem.formulas]
-    vectors = []
-    for i, least in problem.fields(EXTENDED):
-        factor = sympy.prod(a**e for a, e in zip(x, least)).subs(here, simultaneous=True)
-        vectors.append([factor * sympy.diff(f, x[i]) for f in moved])
-    if target != "none":
-        zero = dict.fromkeys(x, 0)
-        local = [f - f.subs(zero) if target == "left" else f for f in moved]
-        vectors += [
-            [f if i == j else sympy.Integer(0) for i in range(problem.p)]
-            for f in local
-            for j in range(problem.p)
-        ]
-    for vector, e in product(vectors, monomials(problem.n, order)):
-        multiple = [sympy.Poly(f * sympy.prod(a**k for a, k in zip(x, e)), *x) for f in vector]
-        yield [(m, j, c) for j, f in enumerate(multiple) for m, c in f.terms() if sum(m) <= order]
+def check_infinite(problem: Problem, certificate: dict[str, Any]) -> None:
+    """Left to osculant's own checker, which shares no code with the engine either."""
+    names = problem.source.split()
+    given = check_tangents.Problem(
+        tuple(map(str, problem.formulas)), tuple(names), "u" if "u" in names else None, problem.group
+    )
+    try:
+        check_locus(given, certificate)
+    except check_algebra.RejectedError as error:
+        raise RejectedError(str(error)) from error

@@ -15,7 +15,7 @@ def tjurina_number(germ: Germ) -> int:
     """dim θ/T K_e f: dim O/(f, ∂f) for a function. Raises DomainError if it is infinite."""
     found = codimension(germ, "K", extended=True)
     if found.value == "infinite":
-        raise DomainError(f"The Tjurina number of {germ} is infinite: it is degenerate along {found.curve}.")
+        raise DomainError(f"The Tjurina number of {germ} is infinite: {found.proof}.")
     return found.value
 
 

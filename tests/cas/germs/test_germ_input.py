@@ -65,7 +65,7 @@ def test_refused_boundaries_groups_and_orders():
             codimension(Germ("x, y**2", "x y"), group)
     with pytest.raises(DomainError, match="no group 'B'"):
         codimension(Germ("x", "x"), "B")
-    for order in (-1, 64, 10**6):
+    for order in (-1, 4096, 10**6):
         with pytest.raises(DomainError, match="order"):
             Germ("x", "x").jet(order)
     with pytest.raises(DomainError, match="Milnor"):
@@ -187,7 +187,8 @@ DENSE = ", ".join(
         ("x**2, y**2, z**2", "x y z", "K", 12),
         ("x**2, y**2, z**2", "x y z", "A", "infinite"),
         ("x*y, x**5+y**7", "x y", "K", 12),
-        ("x*y, x**5+y**7", "x y", "A", None),
+        # 34 cusps and 141 double folds by Thom polynomials, μ of the discriminant 11·34: 374 − 2·34 − 141 + 2
+        ("x*y, x**5+y**7", "x y", "A", 167),
         ("a**2+b**2+c**2+d**2+w**3", "a b c d w", "R", 6),
         ("a*b+c**3, c*d+w**2+a**2", "a b c d w", "A", "infinite"),
         ("a, b, c, d, w**3+a*w", "a b c d w", "A", 2),
@@ -201,9 +202,10 @@ DENSE = ", ".join(
         ("x, x*y + y**3 + (x**2*y+x)**(10**6)", "x y", "A", 2),
         ("x**1000000 + x**2", "x", "R", 1),
         ("x**1000000", "x", "K", None),
-        ("x**64", "x", "R", None),
-        ("x, x**70*y + y**3", "x y", "A", None),
-        ("sin(x)-x, y", "x y", "A", None),
+        ("x**64", "x", "R", 63),
+        ("x, x**70*y + y**3", "x y", "A", 71),
+        ("sin(x)-x, y", "x y", "A", "infinite"),
+        ("asin(x)**2, asin(y)**2, 0", "x y", "A", None),
         ("x, y, z, 0, 0, 0", "x y z", "A", 0),
         ("x, 10**12*x*y + y**6", "x y", "A", 8),
         ("x, x*y + y**6/10**9 + 10**12*x**2*y**2", "x y", "A", 8),

@@ -11,12 +11,13 @@ from hypothesis import strategies as st
 from osculant.cas.errors import DomainError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.family import Family
+from osculant.cas.germs.geometry import prove
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import group
 from osculant.cas.germs.local_algebra import milnor_number
 from osculant.cas.germs.parameters import codimension_of_family
 from osculant.cas.germs.secants import chord, secant_germ
-from osculant.cas.germs.weights import not_isolated, weights
+from osculant.cas.germs.weights import graded_by, weights
 from tests.cas.germs.oracles import milnor_orlik
 
 ISOLATED = [
@@ -43,23 +44,19 @@ NOT_ISOLATED = [
 def test_milnor_and_orlik(text: str) -> None:
     germ = Germ(text, "x y")
     assert milnor_orlik(germ) == milnor_number(germ)
-    assert not not_isolated(germ, group("R"))
+    assert prove(germ, group("R")) is None
 
 
 @pytest.mark.parametrize("text", NOT_ISOLATED)
 def test_critical_points_that_are_not_isolated(text: str) -> None:
-    assert not_isolated(Germ(text, "x y"), group("R"))
-    assert not_isolated(Germ(text, "x y"), group("K"))
+    assert prove(Germ(text, "x y"), group("R")) is not None
+    assert prove(Germ(text, "x y"), group("K")) is not None
 
 
-def test_no_proof_where_the_argument_does_not_apply() -> None:
-    for text, source, name in (
-        ("x**2 + x**3*y", "x y", "R"),
-        ("x, y**2, 0", "x y", "A"),
-        ("x**2*u", "x u", "R(H)"),
-        ("x**2, y**2", "x y", "K"),
-    ):
-        assert not not_isolated(Germ(text, source), group(name))
+def test_weights_that_grade_a_germ() -> None:
+    assert graded_by(Germ("a, b, z**4 + a*z + b*z**2", "a b z")) == (3, 2, 1)
+    assert graded_by(Germ("x**2 + y**2", "x y")) is None  # all equal: nothing is gained
+    assert graded_by(Germ("sin(x)", "x")) is None
 
 
 @given(

@@ -1,0 +1,253 @@
+"""A germ as rational functions of the source variables and of a few analytic functions, exactly.
+
+Every transcendental or algebraic function T = f(a) − f(a(0)) of the germ becomes a variable of its own that
+is 0 at the origin; ∂T/∂xᵢ is a rational function of all variables. What vanishes identically in these m + n
+variables vanishes on the graph of T too, so a set of dimension d there meets the graph in dimension d − m at
+least. Ideals do not change if a generator is multiplied by a unit: denominators are cleared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from flint import Ordering, fmpq, fmpq_mpoly_ctx
+
+from osculant.cas.errors import DomainError, OsculantError
+from osculant.cas.formulas.expression import Node
+from osculant.cas.formulas.graph import topological
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.germ import Germ, expanded
+
+#: degree of the polynomials of a model at most
+DEGREE = 400
+#: a rational function: numerator, denominator (a unit at the origin)
+Quotient = tuple[Any, Any]
+
+#: functions that are modelled: the derivative as a function of the argument a and of the value v
+RULES: dict[str, Callable[[Quotient, Quotient], Quotient]] = {
+    "exp": lambda a, v: v,
+    "log": lambda a, v: (a[1], a[0]),
+    "atan": lambda a, v: (a[1] ** 2, a[1] ** 2 + a[0] ** 2),
+    "atanh": lambda a, v: (a[1] ** 2, a[1] ** 2 - a[0] ** 2),
+    "half": lambda a, v: (v[1] ** 2 + v[0] ** 2, 2 * v[1] ** 2),
+    "halfh": lambda a, v: (v[1] ** 2 - v[0] ** 2, 2 * v[1] ** 2),
+}
+#: functions by the tangent T of half the angle, which keeps their relations: numerator, denominator
+HALVES: dict[str, tuple[str, Callable[[Any, Any], Quotient]]] = {
+    "sin": ("half", lambda t, one: (2 * t, one + t**2)),
+    "cos": ("half", lambda t, one: (one - t**2, one + t**2)),
+    "tan": ("half", lambda t, one: (2 * t, one - t**2)),
+    "sinh": ("halfh", lambda t, one: (2 * t, one - t**2)),
+    "cosh": ("halfh", lambda t, one: (one + t**2, one - t**2)),
+    "tanh": ("halfh", lambda t, one: (2 * t, one + t**2)),
+}
+#: powers with other exponents, as functions
+ROOTS = {"sqrt": Fraction(1, 2), "cbrt": Fraction(1, 3)}
+
+
+@dataclass(frozen=True)
+class Model:
+    """The components of a germ, and the derivatives of the functions in them.
+
+    Attributes:
+        context: the ring of the variables; the first n are those of the source.
+        n: the source dimension.
+        components: numerators and denominators.
+        rules: for each function its partial derivatives by the source variables, over one denominator.
+
+    >>> model = model_of(Germ("x, y**3*exp(x)", "x y"))
+    >>> model.extra, [str(f) for f in model.gradient(1)]
+    (1, ['y^3*_0 + y^3', '3*y^2*_0 + 3*y^2'])
+    """
+
+    context: Any
+    n: int
+    components: tuple[Quotient, ...]
+    rules: tuple[tuple[tuple[Any, ...], Any], ...]
+
+    @property
+    def extra(self) -> int:
+        """How many functions became variables."""
+        return len(self.rules)
+
+    @property
+    def variables(self) -> list[Any]:
+        """All variables, those of the source first."""
+        return list(self.context.gens())
+
+    def derivatives(self, f: Any) -> list[Any]:
+        """The partial derivatives of a polynomial by the source variables, all times one unit."""
+        unit = self.one
+        for _, denominator in self.rules:
+            unit = unit * denominator
+        found = []
+        for i in range(self.n):
+            total = f.derivative(i) * unit
+            for k, (numerators, denominator) in enumerate(self.rules):
+                outer = f.derivative(self.n + k)
+                if not outer.is_zero() and not numerators[i].is_zero():
+                    total = total + outer * numerators[i] * (unit // denominator)
+            found.append(total)
+        return found
+
+    def gradient(self, j: int) -> list[Any]:
+        """The partial derivatives of a component, all times one unit."""
+        numerator, denominator = self.components[j]
+        above = self.derivatives(numerator)
+        if denominator.is_constant():
+            return above
+        below = self.derivatives(denominator)
+        return [a * denominator - b * numerator for a, b in zip(above, below)]
+
+    @property
+    def one(self) -> Any:
+        """The polynomial 1."""
+        return self.context.constant(1)
+
+    @property
+    def zero(self) -> Any:
+        """The polynomial 0."""
+        return self.context.constant(0)
+
+    def restricted(self, i: int) -> Model:
+        """The germ on xᵢ = 0, in the other variables; raises ValueError for a germ that is not rational."""
+        if self.rules:
+            raise ValueError("only a rational germ is restricted")
+        names = [name for k, name in enumerate(self.context.names()) if k != i]
+        context = ring(names)
+        gens = list(context.gens())
+        images = [*gens[:i], context.constant(0), *gens[i:]]
+        moved = tuple(
+            (a.compose(*images, ctx=context), b.compose(*images, ctx=context)) for a, b in self.components
+        )
+        return Model(context, self.n - 1, moved, ())
+
+
+def ring(names: Sequence[str]) -> Any:
+    """The polynomials over ℚ in variables of these names."""
+    return fmpq_mpoly_ctx.get(list(names), Ordering.degrevlex)
+
+
+def model_of(germ: Germ) -> Model | None:
+    """The model of a germ; None if a function in it has none here (abs, asin, …), or for a high degree."""
+    jet = germ.polynomial(poly.LARGEST)
+    if jet is not None:
+        context = ring(germ.source)
+        one = context.constant(1)
+        return Model(context, germ.n, tuple((polynomial(f, context, germ.n), one) for f in jet), ())
+    return _Reading(germ).model()
+
+
+def polynomial(f: poly.Polynomial, context: Any, n: int) -> Any:
+    """A polynomial of this room as one of the ring, whose first n variables are its own."""
+    rest = (0,) * (context.nvars() - n)
+    terms = {}
+    for m, c in f.items():
+        q = Fraction(c)
+        terms[(*poly.exponents_of(m, n), *rest)] = fmpq(q.numerator, q.denominator)
+    return context.from_dict(terms)
+
+
+class _Reading:
+    """The way from an expression graph to a model."""
+
+    def __init__(self, germ: Germ) -> None:
+        self.germ = germ
+        self.nodes = topological(germ.components)
+        self.keys: dict[tuple[str, Node], int] = {}
+        for node in self.nodes:
+            for key in self.functions(node):
+                self.keys.setdefault(key, len(self.keys))
+        names = [*germ.source, *(f"_{k}" for k in range(len(self.keys)))]
+        self.context = ring(names)
+        self.gens = list(self.context.gens())
+
+    @staticmethod
+    def functions(node: Node) -> list[tuple[str, Node]]:
+        """The function that a node needs as a variable, if it needs one."""
+        if node.kind == "pow" and node.value.denominator > 1:
+            return [(f"^{node.value}", node.args[0])]
+        if node.kind != "call":
+            return []
+        name = f"^{ROOTS[node.value]}" if node.value in ROOTS else node.value
+        return [(HALVES[name][0] if name in HALVES else name, node.args[0])]
+
+    def model(self) -> Model | None:
+        values: dict[Node, Quotient] = {}
+        rules: dict[int, tuple[Node, Callable[[Quotient], Quotient]]] = {}
+        try:
+            for node in self.nodes:
+                args = [values[a] for a in node.args]
+                whole = node.kind == "pow" and node.value.denominator == 1
+                degree = max((f.total_degree() for pair in args for f in pair), default=0)
+                if degree * (abs(int(node.value)) if whole else 1) > DEGREE:
+                    return None
+                values[node] = self.quotient(node, args, rules)
+        except (KeyError, OsculantError):
+            return None
+        draft = Model(self.context, self.germ.n, tuple(values[f] for f in self.germ.components), ())
+        done: list[tuple[tuple[Any, ...], Any]] = []
+        for k in range(len(self.keys)):  # a function's argument has only functions before it
+            argument, derivative = rules[k]
+            inner = Model(self.context, self.germ.n, (values[argument],), tuple(done))
+            unit = inner.one
+            for _, denominator in done:
+                unit = unit * denominator
+            above, below = derivative(values[argument])
+            bottom = below * unit * values[argument][1] ** 2
+            if values[argument][1].is_constant():  # the gradient was not multiplied by its square
+                above, bottom = above / values[argument][1].leading_coefficient(), below * unit
+            done.append((tuple(above * g for g in inner.gradient(0)), bottom))
+        return Model(draft.context, draft.n, draft.components, tuple(done))
+
+    def quotient(self, node: Node, args: list[Quotient], rules: dict[int, Any]) -> Quotient:
+        one = self.context.constant(1)
+        if node.kind == "number":
+            return self.context.constant(fmpq(node.value.numerator, node.value.denominator)), one
+        if node.kind == "variable":
+            return self.gens[self.germ.source.index(node.value)], one
+        if node.kind in {"add", "sub"}:
+            (a, b), (c, d) = args
+            c = c if node.kind == "add" else -c
+            return (a + c, b) if b == d else (a * d + c * b, b * d)
+        if node.kind == "neg":
+            return -args[0][0], args[0][1]
+        if node.kind == "mul":
+            return args[0][0] * args[1][0], args[0][1] * args[1][1]
+        if node.kind == "div":
+            return args[0][0] * args[1][1], args[0][1] * args[1][0]
+        if node.kind == "pow" and node.value.denominator == 1:
+            e = int(node.value)
+            a, b = args[0] if e >= 0 else args[0][::-1]
+            return a ** abs(e), b ** abs(e)
+        return self.function(node, args[0], rules)
+
+    def function(self, node: Node, argument: Quotient, rules: dict[int, Any]) -> Quotient:
+        """The variable of a function plus the value at the origin; the rule is noted."""
+        ((name, inner),) = self.functions(node)
+        one, k = self.context.constant(1), self.keys[name, inner]
+        variable = self.gens[self.germ.n + k]
+        value = (variable + self.context.constant(self.start(name, inner)), one)
+        if name.startswith("^"):
+            r = Fraction(name[1:])
+            factor = fmpq(r.numerator, r.denominator)
+            rules[k] = inner, lambda a: (value[0] * a[1] * factor, value[1] * a[0])
+        else:
+            rules[k] = inner, lambda a: RULES[name](a, value)
+        return HALVES[node.value][1](variable, one) if node.kind == "call" and node.value in HALVES else value
+
+    def start(self, name: str, inner: Node) -> fmpq:
+        """The value of the function at the origin; an OsculantError if it is not rational."""
+        from osculant.cas.formulas.expression import call, number, power
+
+        if name in {"half", "halfh"}:  # other angles have no rational sines
+            at = Fraction(expanded((inner,), self.germ.source, 0)[0].get(0, 0))
+            if at:
+                raise DomainError(f"A function has no rational value at {at}.")
+            return fmpq(0)
+        node = power(inner, number(Fraction(name[1:]))) if name.startswith("^") else call(name, inner)
+        value = Fraction(expanded((node,), self.germ.source, 0)[0].get(0, 0))
+        return fmpq(value.numerator, value.denominator)

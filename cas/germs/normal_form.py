@@ -1,0 +1,111 @@
+"""Coordinates in which a germ of corank 1 is (x, g(x, y)), by polynomials.
+
+The multiple-point schemes of Marar and Mond are written in such coordinates. The change is linear in the
+target; that of the source is found by solving fᵢ = Xᵢ for the first n − 1 coordinates by iteration: it is a
+polynomial for germs such as (x + y², …), and where it is not there is none here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import fmpq, fmpq_mat
+
+from osculant.cas.germs.model import Model
+
+#: degree of the polynomials of a change at most
+DEGREE = 12
+
+
+@dataclass(frozen=True)
+class NormalForm:
+    """``target``·f∘``source`` = (x₁, …, x_{n−1}, g): the rows of a matrix, the old coordinates, g.
+
+    >>> from osculant.cas.germs.germ import Germ
+    >>> from osculant.cas.germs.model import model_of
+    >>> found = normal_form(model_of(Germ("x*y + y**3, x + y**2", "x y")))
+    >>> [str(f) for f in found.source], [str(g) for g, _ in found.functions]
+    (['-y^2 + x', 'y'], ['x*y'])
+    """
+
+    source: tuple[Any, ...]
+    target: tuple[tuple[fmpq, ...], ...]
+    functions: tuple[tuple[Any, Any], ...]
+
+
+def normal_form(model: Model) -> NormalForm | None:
+    """The normal form of a rational germ of rank n − 1 with n ≤ p, if such a change gives it; else None."""
+    n, p = model.n, len(model.components)
+    if model.rules or p < n:
+        return None
+    linear = [[_value(a, b) for a in _linear(f, n)] for f, b in model.components]
+    echelon, target = _reduced(linear, n)
+    if sum(any(row) for row in echelon) != n - 1:
+        return None
+    leading = [next(j for j in range(n) if row[j] != 0) for row in echelon[: n - 1]]
+    kernel = next(j for j in range(n) if j not in leading)
+    moved: list[tuple[Any, Any]] = []
+    for row in target:
+        parts = [(f * c, b) for c, (f, b) in zip(row, model.components) if c != 0]
+        if any(not b.is_constant() for _, b in parts) and len(moved) < n - 1:
+            return None
+        moved.append(_sum(parts, model))
+    first = [a / b.leading_coefficient() for a, b in moved[: n - 1]]
+    source = _solved(first, leading, kernel, model)
+    if source is None:
+        return None
+    context = model.context
+    functions = tuple(
+        (a.compose(*source, ctx=context), b.compose(*source, ctx=context)) for a, b in moved[n - 1 :]
+    )
+    return NormalForm(tuple(source), tuple(map(tuple, target)), functions)
+
+
+def _linear(f: Any, n: int) -> list[fmpq]:
+    return [f.to_dict().get(tuple(int(i == j) for i in range(n)), fmpq(0)) for j in range(n)]
+
+
+def _value(c: fmpq, denominator: Any) -> fmpq:
+    value: fmpq = c / denominator.to_dict()[(0,) * len(denominator.context().gens())]
+    return value
+
+
+def _sum(parts: list[tuple[Any, Any]], model: Model) -> tuple[Any, Any]:
+    above, below = model.zero, model.one
+    for a, b in parts:
+        above, below = (above + a, below) if b == below else (above * b + a * below, below * b)
+    return above, below
+
+
+def _reduced(rows: list[list[fmpq]], n: int) -> tuple[list[list[fmpq]], list[list[fmpq]]]:
+    """(echelon form, the matrix that makes it from the rows)."""
+    p = len(rows)
+    both = fmpq_mat(
+        p, n + p, [v for i, row in enumerate(rows) for v in (*row, *(fmpq(i == j) for j in range(p)))]
+    )
+    form = both.rref()[0]
+    whole = [[form[i, j] for j in range(n + p)] for i in range(p)]
+    return [row[:n] for row in whole], [row[n:] for row in whole]
+
+
+def _solved(first: list[Any], leading: list[int], kernel: int, model: Model) -> list[Any] | None:
+    """The old coordinates as polynomials in X₁, …, X_{n−1}, the first variables, and y, the last."""
+    n, gens, context = model.n, model.variables, model.context
+    start = [context.constant(0)] * n
+    for i, j in enumerate(leading):
+        start[j] = gens[i]
+    start[kernel] = gens[n - 1]
+    # fᵢ = x_{leading i} + (kernel part) + higher: the remainder is pushed to the other side
+    rest = [f - gens[j] for f, j in zip(first, leading)]
+    found = list(start)
+    for _ in range(n + 2):
+        following = list(start)
+        for i, j in enumerate(leading):
+            following[j] = gens[i] - rest[i].compose(*found, ctx=context)
+            if following[j].total_degree() > DEGREE:
+                return None
+        if following == found:
+            return found
+        found = following
+    return None

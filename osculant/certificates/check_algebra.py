@@ -1,0 +1,277 @@
+"""Exact algebra of the checker: polynomials are dictionaries {exponents: Fraction}; text is never run.
+
+Nothing of osculant is imported here: what the checker says does not rest on what it checks.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations_with_replacement
+from math import isqrt
+from typing import Any
+
+Exponents = tuple[int, ...]
+Polynomial = dict[Exponents, Fraction]
+Vector = list[Polynomial]
+Row = dict[int, Any]
+
+
+class RejectedError(ValueError):
+    """A certificate that does not prove what it says; the message tells the first step that fails."""
+
+
+def require(condition: bool, complaint: str) -> None:
+    """Raise RejectedError with the complaint unless the condition holds."""
+    if not condition:
+        raise RejectedError(complaint)
+
+
+def constant(value: Fraction | int, n: int) -> Polynomial:
+    """A number as a polynomial in n variables."""
+    return {(0,) * n: Fraction(value)} if value else {}
+
+
+def plus(a: Polynomial, b: Polynomial, factor: Fraction | int = 1) -> Polynomial:
+    """a + factor·b."""
+    found = dict(a)
+    for m, c in b.items():
+        value = found.get(m, 0) + factor * c
+        if value:
+            found[m] = Fraction(value)
+        else:
+            found.pop(m, None)
+    return found
+
+
+def times(a: Polynomial, b: Polynomial, order: int | None = None) -> Polynomial:
+    """a·b, without the terms above a degree if one is given.
+
+    >>> times({(1,): Fraction(1)}, {(2,): Fraction(3)}) == {(3,): Fraction(3)}
+    True
+    """
+    found: Polynomial = {}
+    for m, c in a.items():
+        room = None if order is None else order - sum(m)
+        for k, d in b.items():
+            if room is None or sum(k) <= room:
+                e = tuple(x + y for x, y in zip(m, k))
+                found[e] = found.get(e, Fraction(0)) + c * d
+    return {m: c for m, c in found.items() if c}
+
+
+def power(a: Polynomial, e: int, n: int, order: int | None = None) -> Polynomial:
+    """a^e for e ≥ 0."""
+    if order is not None and a and min(map(sum, a)) * e > order:
+        return {}
+    found = constant(1, n)
+    while e:
+        found = times(found, a, order) if e & 1 else found
+        e >>= 1
+        a = times(a, a, order) if e else a
+    return found
+
+
+def derivative(f: Polynomial, i: int) -> Polynomial:
+    """∂f/∂xᵢ."""
+    return {(*m[:i], m[i] - 1, *m[i + 1 :]): c * m[i] for m, c in f.items() if m[i]}
+
+
+def composed(f: Polynomial, images: Sequence[Polynomial], n: int) -> Polynomial:
+    """f(images), the images in n variables."""
+    found: Polynomial = {}
+    for m, c in f.items():
+        term = constant(c, n)
+        for image, e in zip(images, m):
+            if e:
+                term = times(term, power(image, e, n))
+        found = plus(found, term)
+    return found
+
+
+def monomials(n: int, order: int, weights: Sequence[int] = ()) -> list[Exponents]:
+    """All exponents of degree, or weight, at most ``order``."""
+    if not weights:
+        return [
+            tuple(chosen.count(i) for i in range(n))
+            for d in range(order + 1)
+            for chosen in combinations_with_replacement(range(n), d)
+        ]
+    found: list[Exponents] = [()]
+    for i in range(n):
+        found = [
+            (*m, e) for m in found for e in range(order // weights[i] + 1) if weigh((*m, e), weights) <= order
+        ]
+    return found
+
+
+def weigh(m: Exponents, weights: Sequence[int]) -> int:
+    """The degree, with weights if there are some."""
+    return sum(w * e for w, e in zip(weights, m)) if weights else sum(m)
+
+
+def pivots(rows: Iterable[Mapping[int, Any]], prime: int | None = None) -> set[int]:
+    """The leading columns of an echelon form, over ℚ or modulo a prime.
+
+    >>> sorted(pivots([{0: Fraction(1), 1: Fraction(1)}, {0: Fraction(2), 1: Fraction(2)}]))
+    [0]
+    """
+    found: dict[int, Row] = {}
+    for given in rows:
+        row: Row = dict(given)
+        if prime is not None:
+            row = {c: v.numerator * pow(v.denominator, -1, prime) % prime for c, v in row.items()}
+            row = {c: v for c, v in row.items() if v}
+        while row:
+            lead = min(row)
+            if lead not in found:
+                inverse = 1 / row[lead] if prime is None else pow(row[lead], -1, prime)
+                found[lead] = {
+                    c: v * inverse if prime is None else v * inverse % prime for c, v in row.items()
+                }
+                break
+            factor = row[lead]
+            for c, v in found[lead].items():
+                value = row.get(c, 0) - factor * v
+                value = value if prime is None else value % prime
+                if value:
+                    row[c] = value
+                else:
+                    row.pop(c, None)
+    return set(found)
+
+
+def is_prime(p: Any) -> bool:
+    """Whether a number below 2³² is a prime."""
+    return isinstance(p, int) and 1 < p < 2**32 and all(p % d for d in range(2, isqrt(p) + 1))
+
+
+def read(text: str, names: Sequence[str], order: int | None = None) -> Polynomial:
+    """A formula in variables of these names as a polynomial; of an analytic one the jet of that order.
+
+    Raises RejectedError for what is no such formula.
+
+    >>> read("(x + 1/2)^2 - 1/4", ["x"]) == {(2,): Fraction(1), (1,): Fraction(1)}
+    True
+    >>> read("sin(x)", ["x"], 3) == {(1,): Fraction(1), (3,): Fraction(-1, 6)}
+    True
+    """
+    try:
+        tree = ast.parse(text.strip().replace("^", "**"), mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        raise RejectedError(f"{text[:60]!r} is no formula") from None
+    return _Reader(names, order).value(tree)
+
+
+class _Reader:
+    """From a syntax tree to a polynomial; nothing is run."""
+
+    def __init__(self, names: Sequence[str], order: int | None) -> None:
+        self.names, self.n, self.order = list(names), len(names), order
+
+    def value(self, node: ast.expr) -> Polynomial:
+        if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+            return constant(Fraction(str(node.value)), self.n)
+        if isinstance(node, ast.Name) and node.id in self.names:
+            m = tuple(int(name == node.id) for name in self.names)
+            return {} if self.order == 0 else {m: Fraction(1)}
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.UAdd):
+            inner = self.value(node.operand)
+            return plus({}, inner, -1) if isinstance(node.op, ast.USub) else inner
+        if isinstance(node, ast.BinOp):
+            return self.operation(node)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and len(node.args) == 1:
+            return self.series(node.func.id, self.value(node.args[0]))
+        raise RejectedError(f"{ast.unparse(node)[:60]!r} is no formula that the checker reads")
+
+    def operation(self, node: ast.BinOp) -> Polynomial:
+        left, right = self.value(node.left), self.value(node.right)
+        if isinstance(node.op, ast.Add | ast.Sub):
+            return plus(left, right, 1 if isinstance(node.op, ast.Add) else -1)
+        if isinstance(node.op, ast.Mult):
+            return times(left, right, self.order)
+        if isinstance(node.op, ast.Div):
+            return times(left, self.series("^-1", right), self.order)
+        require(isinstance(node.op, ast.Pow), "an operation that the checker does not read")
+        require(set(right) <= {(0,) * self.n}, "an exponent that is no number")
+        e = right.get((0,) * self.n, Fraction(0))
+        if e.denominator == 1 and e >= 0:
+            return power(left, int(e), self.n, self.order)
+        return self.series(f"^{e}", left)
+
+    def series(self, name: str, inner: Polynomial) -> Polynomial:
+        """A function of a polynomial, by its Taylor series at the constant term."""
+        at = inner.get((0,) * self.n, Fraction(0))
+        rest = {m: c for m, c in inner.items() if any(m)}
+        require(not rest or self.order is not None, f"{name} of a variable is no polynomial")
+        found: Polynomial = {}
+        for c in reversed(taylor(name, at, self.order if rest and self.order else 0)):
+            found = plus(times(found, rest, self.order), constant(c, self.n))
+        return found
+
+
+def taylor(name: str, at: Fraction, order: int) -> list[Fraction]:
+    """The Taylor coefficients of a function at a point where they are rational; RejectedError elsewhere.
+
+    >>> taylor("exp", Fraction(0), 3)[3], taylor("^1/2", Fraction(4), 1)
+    (Fraction(1, 6), [Fraction(2, 1), Fraction(1, 4)])
+    """
+    if name in {"sqrt", "cbrt"}:
+        name = "^1/2" if name == "sqrt" else "^1/3"
+    if name.startswith("^"):
+        return _binomial(Fraction(name[1:]), at, order)
+    if name == "log":
+        require(at == 1, f"log has no rational value at {at}")
+        return [Fraction(0), *(Fraction((-1) ** (k + 1), k) for k in range(1, order + 1))]
+    require(at == 0, f"{name} has no rational value at {at}")
+    factorial = [Fraction(1)]
+    for k in range(1, order + 2):
+        factorial.append(factorial[-1] / k)
+    if name == "exp":
+        return factorial[: order + 1]
+    odd = {"sin": -1, "sinh": 1, "cos": -1, "cosh": 1}
+    if name in odd:
+        first = int(name.startswith("sin"))
+        return [
+            factorial[k] * odd[name] ** (k // 2) if k % 2 == first else Fraction(0) for k in range(order + 1)
+        ]
+    if name in {"tan", "tanh"}:  # y′ = 1 ± y²
+        sign, y = (1 if name == "tan" else -1), [Fraction(0)]
+        for k in range(order):
+            square = sum((y[i] * y[k - i] for i in range(k + 1)), Fraction(0))
+            y.append((int(k == 0) + sign * square) / (k + 1))
+        return y
+    # the derivative is (1 ± x²) to a power
+    inverse = {"atan": (1, Fraction(-1)), "atanh": (-1, Fraction(-1))}
+    inverse |= {"asin": (-1, Fraction(-1, 2)), "asinh": (1, Fraction(-1, 2))}
+    require(name in inverse, f"{name} is no function that the checker reads")
+    sign, exponent = inverse[name]
+    outer = _binomial(exponent, Fraction(1), order)
+    found = [Fraction(0)] * (order + 1)
+    for k, c in enumerate(outer):
+        if 2 * k + 1 <= order:
+            found[2 * k + 1] = c * sign**k / (2 * k + 1)
+    return found
+
+
+def _binomial(e: Fraction, at: Fraction, order: int) -> list[Fraction]:
+    require(at != 0, "a power that is not analytic at 0")
+    root = _root(at, e.denominator)
+    found = [root**e.numerator]
+    for k in range(order):
+        found.append(found[-1] * (e - k) / ((k + 1) * at))
+    return found
+
+
+def _root(value: Fraction, degree: int) -> Fraction:
+    """The rational root of that degree."""
+    negative = value < 0 and degree % 2 == 1
+    require(value > 0 or negative, f"no root of {value}")
+    parts = []
+    for part in (abs(value.numerator), value.denominator):
+        guess = round(part ** (1.0 / degree))
+        close = next((g for g in range(max(guess - 2, 0), guess + 3) if g**degree == part), None)
+        require(close is not None, f"the root of {value} is not rational")
+        parts.append(close)
+    return Fraction(parts[0] or 0, parts[1] or 1) * (-1 if negative else 1)
