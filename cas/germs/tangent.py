@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from math import comb, lcm
+from typing import Literal
 
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ
@@ -19,6 +20,7 @@ from osculant.cas.germs.linear import null_space
 from osculant.cas.germs.polynomials import Polynomial
 
 Vector = tuple[Polynomial, ...]
+Side = Literal["source", "target", "contact"]
 
 
 @dataclass(frozen=True)
@@ -103,25 +105,48 @@ def vectors(
 
     With ``weights`` the order counts the variables with them; the monomials of the vectors do so too.
     """
+    for *_, vector in spanning(germ, group, version, order, weights, integral=True):
+        yield vector
+
+
+def spanning(
+    germ: Germ,
+    group: Group,
+    version: Version,
+    order: int,
+    weights: tuple[int, ...] = (),
+    integral: bool = False,
+) -> Iterator[tuple[Side, tuple[int, ...], int | tuple[int, int], Vector]]:
+    """The same vectors with their fields: (side, exponents of the multiplier, generator, vector).
+
+    The generator is the number of a source field, that of a target coordinate, or for x^α f_i e_j the pair
+    (i, j). With ``integral`` vectors of the target part are multiples that have integers as coefficients.
+    """
     n = germ.n
     jet = _jet(germ, order + max(weights, default=1), weights)
     every = poly.monomials(n, order, weights)
-    for field, least in _fields(germ, group, version):
+    for i, (field, least) in enumerate(_fields(germ, group, version)):
         if weights:
             field = tuple(poly.weighted(c, n, weights) for c in field)
         image = along(jet, field, n, order, weights)
-        yield from _multiples(image, (m for m in every if _reaches(m, n, least)), n, order)
-    jet = tuple(_integral(f) for f in _jet(germ, order, weights))  # multiples of the vectors do as well
+        for m in every:
+            if _reaches(m, n, least):
+                yield "source", poly.exponents_of(m, n), i, tuple(_shifted(f, m, n, order) for f in image)
+    jet = _jet(germ, order, weights)
+    if integral:
+        jet = tuple(map(_integral, jet))
     if group.target == "left":
         for beta, power in poly.powers(jet, n, order):
             if sum(beta) >= version:
-                yield from _units(power, germ.p)
+                for j, vector in enumerate(_units(power, germ.p)):
+                    yield "target", beta, j, vector
     elif group.target == "contact":
         least = max(0, version - 1)
-        for f in jet:
+        for i, f in enumerate(jet):
             for m in every:
                 if _reaches(m, n, least):
-                    yield from _units(_shifted(f, m, n, order), germ.p)
+                    for j, vector in enumerate(_units(_shifted(f, m, n, order), germ.p)):
+                        yield "contact", poly.exponents_of(m, n), (i, j), vector
 
 
 def _jet(germ: Germ, order: int, weights: tuple[int, ...]) -> Vector:
@@ -177,11 +202,6 @@ def _below(m: int, n: int, degree: int) -> bool:
 def _shifted(f: Polynomial, m: int, n: int, order: int) -> Polynomial:
     top = order + 1 << poly.BITS * n
     return {m + k: c for k, c in f.items() if m + k < top}
-
-
-def _multiples(vector: Vector, multipliers: Iterable[int], n: int, order: int) -> Iterator[Vector]:
-    for m in multipliers:
-        yield tuple(_shifted(f, m, n, order) for f in vector)
 
 
 def _units(f: Polynomial, p: int) -> Iterator[Vector]:
