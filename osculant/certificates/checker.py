@@ -35,7 +35,7 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
 
     Args:
         certificate: the place of the file, or what is in it. Known are files of germs, as
-            ``osculant germ … --certificate --json`` prints them.
+            `osculant.germs.report.certificate_file` and the command line make them.
 
     Returns sentences, one for each statement that is proved.
 
