@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import partial
 from itertools import pairwise
 from typing import Any, Generic, TypeVar
 
@@ -33,18 +33,14 @@ from osculant.cas.zeros.isolate import (
     refine,
     taylor_form,
 )
+from osculant.cas.zeros.multiple_zeros import MultipleZeros
 from osculant.cas.zeros.multiplicity import order_of_zero, simple_numbers
+from osculant.cas.zeros.points import SpecialPoint, merged
 
-#: Taylor coefficients looked at, in turn, for the multiplicity of a zero
-MULTIPLE = (2, 10, 30, 90)
-#: terms beyond the multiplicity that show a zero to be alone
-BEYOND = 16
 #: unresolved boxes that are nearer than this many widths are one place
 NEAR = 256
 #: bits of the interval to which a simple zero is known, if nothing else is asked
 BITS = PRECISION // 2
-#: two zeros nearer than this, in parts of the interval, are one knot
-SAME = 2.0**-60
 #: probes that may show that a form does not vanish identically
 PROBES = ("0.38196601", "0.61803399", "0.14589803", "0.85410197", "0.5278640")
 #: features of the curve that are larger than this part of it have a probe of their own
@@ -56,19 +52,6 @@ MOST_SPANS = 32
 SPARE, TINY = 96, 2.0**-1000
 
 Jet = TypeVar("Jet")
-
-
-@dataclass(frozen=True)
-class SpecialPoint:
-    """A zero of one or more forms.
-
-    ``at`` is a ball around the parameter value; ``kinds`` are the forms' names; ``decided`` is False where a
-    zero could be neither proved nor excluded.
-    """
-
-    at: Any
-    kinds: frozenset[str]
-    decided: bool = True
 
 
 @dataclass(frozen=True)
@@ -165,7 +148,7 @@ class FormZeros(Generic[Jet]):
         """
         with precision(PRECISION):
             a, b = constant(low), constant(high)
-            multiple = _MultipleZeros(self, (low, high))
+            multiple = MultipleZeros(self, (low, high))
             found, ends = self._isolated(multiple, names, a, b, limit)
             accuracy = (b - a) * arb(2) ** -bits
             points = self._simple(found, accuracy) + multiple.points + ends
@@ -309,73 +292,6 @@ def _joined(boxes: list[Box]) -> list[Box]:
             box = Box(last.low, box.high, tuple(sorted({*last.open, *box.open})))
         joined.append(box)
     return joined
-
-
-class _MultipleZeros:
-    """Proves that a form has one zero, a multiple one, in a neighbourhood of a small interval.
-
-    If at a simple number c the first m Taylor coefficients of the form vanish exactly and its m-th
-    derivative has one sign on the neighbourhood, the form is (t − c)^m times something without zeros.
-    """
-
-    def __init__(self, zeros: FormZeros[Any], ends: tuple[Node, Node]) -> None:
-        self.zeros = zeros
-        self.ends = [(end, constant(end)) for end in ends]
-        # asked again at every width until the answer is yes
-        self.multiplicity, self.vanishes_at = cache(self._multiplicity), cache(zeros.vanishes_at)
-        self.points: list[SpecialPoint] = []
-
-    def __call__(self, name: str, low: Any, high: Any) -> tuple[Any, Any] | None:
-        """The neighbourhood, if a zero is proved in it (and noted in ``points``)."""
-        width = high - low
-        low, high = arb((low - width).mid()), arb((high + width).mid())
-        candidates = [(end, at) for end, at in self.ends if at >= low and at <= high]
-        for number in simple_numbers(low, high):
-            at = constant(number)
-            if not (at < self.ends[0][1] or at > self.ends[1][1]):
-                candidates.append((number, at))
-        for candidate, at in candidates:
-            if self.only_zero(name, candidate, ball(low, high)):
-                self.points.append(SpecialPoint(at, frozenset([name])))
-                return low, high
-        return None
-
-    def only_zero(self, name: str, candidate: Node, whole: Any) -> bool:
-        """Whether the form has a multiple zero exactly at the candidate and no other in ``whole``."""
-        multiplicity = self.multiplicity(name, candidate)
-        if multiplicity < 2:
-            return False  # not a zero, or a simple one, which isolation finds by itself
-        centre = arb(whole.mid())
-        over = self.zeros.series(name, whole, multiplicity + BEYOND)
-        around = self.zeros.series(name, centre, multiplicity + BEYOND)
-        if over is None or around is None:
-            return False
-        for _ in range(multiplicity):
-            around, over = differentiated(around), differentiated(over)
-        if taylor_form(around, over, whole - centre).contains(0):
-            return False
-        return self.vanishes_at(name, candidate, multiplicity)
-
-    def _multiplicity(self, name: str, candidate: Node) -> int:
-        """How many Taylor coefficients at the candidate seem to vanish before one that does not."""
-        for length in MULTIPLE:
-            series = self.zeros.series(name, constant(candidate), length)
-            for count, c in enumerate(series or [arb(1)]):
-                if not c.contains(0):
-                    return count
-        return 0
-
-
-def merged(points: Sequence[SpecialPoint], size: Any) -> list[SpecialPoint]:
-    """Points in order, as one where they coincide to `SAME` of the interval's size."""
-    found: list[SpecialPoint] = []
-    for point in sorted(points, key=lambda point: float(point.at.mid())):
-        if found and not abs(point.at - found[-1].at) > size * SAME:
-            last = found.pop()
-            sharper = min(point, last, key=lambda p: float(p.at.rad()))
-            point = SpecialPoint(sharper.at, last.kinds | point.kinds, last.decided and point.decided)
-        found.append(point)
-    return found
 
 
 def undefined(curve: FormulaBalls[Any], low: Any, high: Any, ends: Sequence[Node]) -> str:

@@ -21,7 +21,8 @@ from osculant.cas.formulas.expression import Node
 from osculant.cas.jets.balls import SpaceBalls
 from osculant.cas.jets.space import SpaceJet
 from osculant.cas.numbers.balls import PRECISION, constant, precision
-from osculant.cas.zeros.form_zeros import BITS, FormZeros, Looks, SpecialPoint, ZeroForm
+from osculant.cas.zeros.form_zeros import BITS, FormZeros, Looks, ZeroForm
+from osculant.cas.zeros.points import SpecialPoint
 
 #: a place inside the interval, unlikely to be a zero of anything
 INSIDE = "0.38196601"

@@ -29,7 +29,7 @@ from osculant.kernels.shapes import shapes
 
 if TYPE_CHECKING:
     from osculant.approximation.coordinates import Local, Place
-    from osculant.approximation.division import Stretch
+    from osculant.approximation.stretches import Stretch
     from osculant.curves.curve import FormulaCurve
     from osculant.curves.extent import Extent
     from osculant.primitives.primitive import Fit

@@ -13,7 +13,7 @@ from osculant.approximation.segments import Segments
 
 if TYPE_CHECKING:
     from osculant.approximation.coordinates import Coordinates
-    from osculant.approximation.division import Stretch
+    from osculant.approximation.stretches import Stretch
     from osculant.primitives.primitive import Fit
 
 #: the area between what lies within a distance of one point, in squares of that

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from osculant.approximation.runs import Run
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
     from osculant.curves.curve import FormulaCurve
 
 #: an arc is passed over if it lies within this part of the tolerance; of an area's, within that of its root

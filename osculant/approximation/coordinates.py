@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from osculant.approximation.division import Frame
 from osculant.approximation.runs import Floats, equal_parts
+from osculant.approximation.stretches import Frame
 from osculant.curves.enclosed import enclosed
 from osculant.curves.kept import kept
 from osculant.kernels.curves import plane, space

@@ -6,71 +6,22 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
-from osculant.approximation.bridging import Blemish, blemishes, meeting
+from osculant.approximation.bridging import Blemish, blemishes
+from osculant.approximation.joints import Joint, between, bridge, frame_at, joints_at
 from osculant.approximation.request import check_split
 from osculant.approximation.split_points import as_float, cut, cut_around
-from osculant.cas.errors import DomainError, UndecidedError
+from osculant.approximation.stretches import Frame, Kind, Stretch
+from osculant.cas.errors import DomainError
 from osculant.curves.kept import kept
 from osculant.primitives.table import PRIMITIVES
 
 if TYPE_CHECKING:
     from osculant.approximation.closing import Closing
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
     from osculant.curves.curve import FormulaCurve
     from osculant.primitives.primitive import Primitive
-
-#: derivatives tried for the limit tangent at a cusp
-CUSP_ORDERS = 9
-#: where in a stretch or an arc is read off what is the same everywhere: at no special place
-INSIDE = 0.4871
-
-#: a coordinate each
-Vector = tuple[float, ...]
-Kind = Literal["generic", "level", "segment", "exact", "bridge"]
-
-
-@dataclass(frozen=True)
-class Frame:
-    """A point of the curve and its unit tangent, at a cusp the limit tangent from the stretch's side.
-
-    ``order`` is that of the first derivative which does not vanish there.
-    """
-
-    point: Vector
-    tangent: Vector
-    order: int = 1
-
-
-@dataclass(frozen=True)
-class Stretch:
-    """A part of the interval without special points inside but those that are passed.
-
-    Attributes:
-        low, high: its ends, balls.
-        a, b: their nearest doubles.
-        start, end: the frames there.
-        kind: "segment" or "exact" if the curve is a segment or an arc of the primitive itself there, "level"
-            if it is not, but the leading term of the primitive's error vanishes (a bihelix's, on a curve of
-            constant curvature), "bridge" if it lies below the tolerance and is not followed.
-        bend: the sign of the curvature; 1 in space, where it has none.
-        passed: the points inside, balls, where theory wants a split and none is to be made.
-        reach: so far from its pieces may be what they stand for besides, or a bridge from its arc.
-        covers: what its pieces stand for if that is more than [a, b]: small arcs next to it are passed over.
-    """
-
-    low: Any
-    high: Any
-    a: float
-    b: float
-    start: Frame
-    end: Frame
-    kind: Kind
-    bend: float
-    passed: tuple[Any, ...] = ()
-    reach: float = 0.0
-    covers: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -169,14 +120,14 @@ def divide(
         passed_over: list[Blemish] = []
         if extent > 0 and kind in ("generic", "level") and wanted.bridge is not None and not free:
             passed_over = blemishes(curve, knots, extent, stuck, closing == "smooth")
-        joints = _joints(curve, knots, passed_over, lead)
+        joints = joints_at(curve, knots, passed_over, lead)
         stretches = [
             part
             for before, after in pairwise(joints)
-            for part in _between(curve, before, after, kind, passed, free)
+            for part in between(curve, before, after, kind, passed, free)
         ]
         if lead and joints[-1].at is None:
-            stretches.append(_bridge(joints[-1]))
+            stretches.append(bridge(joints[-1]))
     inside = [(as_float(b.low), as_float(b.high)) for b in passed_over]
 
     def followed(at: float) -> bool:
@@ -255,13 +206,13 @@ def _goes_on(curve: FormulaCurve, point: SpecialPoint) -> bool:
     """Whether the tangents on both sides of a point, surely singular, are the same."""
     if not point.decided:
         return False
-    before, after = (_frame(curve, point, side).tangent for side in (-1, 1))
+    before, after = (frame_at(curve, point, side).tangent for side in (-1, 1))
     return sum(x * y for x, y in zip(before, after)) > 0
 
 
 def _around(splits: list[SpecialPoint], low: Any, high: Any) -> list[tuple[Any, SpecialPoint]]:
     """Where the stretches of a closed curve end, and the points of the curve there."""
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
 
     first = splits[0] if splits else SpecialPoint(low, frozenset())
     knots = [(point.at, point) for point in splits or [first]]
@@ -280,116 +231,12 @@ def begun_at(curve: FormulaCurve, division: Division, at: float) -> Stretch:
     from flint import arb
 
     from osculant.cas.numbers.balls import PRECISION, precision
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
 
     (whole,) = division.stretches
     with precision(PRECISION):
         start, period = SpecialPoint(arb(at), frozenset()), whole.high - whole.low
         passed = [*whole.passed, *(point + period for point in whole.passed)]
-        joint = _Joint(start.at, _frame(curve, start, -1), start.at, _frame(curve, start, 1), at)
-        [stretch] = _between(curve, joint, replace(joint, low=start.at + period), whole.kind, passed, False)
+        joint = Joint(start.at, frame_at(curve, start, -1), start.at, frame_at(curve, start, 1), at)
+        [stretch] = between(curve, joint, replace(joint, low=start.at + period), whole.kind, passed, False)
         return stretch
-
-
-@dataclass(frozen=True)
-class _Joint:
-    """Where stretches meet: where the one before ends, where the one after begins, and what lies between.
-
-    ``at`` is the knot of their pieces, None if there is a bridge, as small as ``reach``, between them.
-    """
-
-    low: Any
-    end: Frame
-    high: Any
-    start: Frame
-    at: float | None
-    reach: float = 0.0
-
-
-def _joints(
-    curve: FormulaCurve,
-    knots: Sequence[tuple[Any, SpecialPoint]],
-    passed_over: Sequence[Blemish],
-    lead: bool,
-) -> list[_Joint]:
-    """The joints at the knots, in order, and instead of knots in arcs that are passed over, those there."""
-    joints = [_passing(curve, blemish, lead) for blemish in passed_over]
-    for at, point in knots:
-        if not any(as_float(b.low) <= as_float(at) <= as_float(b.high) for b in passed_over):
-            end = _frame(curve, point, -1)
-            start = end if end.order % 2 else _frame(curve, point, 1)  # it may turn back
-            joints.append(_Joint(at, end, at, start, as_float(at)))
-    return sorted(joints, key=lambda joint: as_float(joint.low))
-
-
-def _passing(curve: FormulaCurve, blemish: Blemish, lead: bool) -> _Joint:
-    """The joint where an arc is passed over."""
-    low, high, reach = blemish.low, blemish.high, blemish.reach
-    ends = [tuple(as_float(row[0]) for row in curve.balls.coefficients(at, 0)) for at in (low, high)]
-    if blemish.at_start or blemish.at_end:
-        tangent = _regular(curve, high if blemish.at_start else low)
-        first, last = (Frame(point, tangent) for point in ends)
-        if lead:
-            return _Joint(low, first, high, last, None, reach)
-        frame, at = (first, low) if blemish.at_start else (last, high)
-        return _Joint(low, frame, high, frame, as_float(at), reach)
-    tangents = _regular(curve, low), _regular(curve, high)
-    turn = meeting(*tangents)
-    if turn is None:
-        return _Joint(low, Frame(ends[0], tangents[0]), high, Frame(ends[1], tangents[1]), None, reach)
-    sign, tangent = turn
-    point = tuple((p + q) / 2 for p, q in zip(*ends))
-    back = tuple(sign * part for part in tangent)
-    return _Joint(low, Frame(point, tangent), high, Frame(point, back), as_float((low + high) / 2), reach)
-
-
-def _regular(curve: FormulaCurve, at: Any) -> Vector:
-    """The tangent at a parameter that is no special point."""
-    from osculant.cas.zeros.form_zeros import SpecialPoint
-
-    return _frame(curve, SpecialPoint(at, frozenset()), 1).tangent
-
-
-def _between(
-    curve: FormulaCurve, before: _Joint, after: _Joint, kind: Kind, passed: Sequence[Any], free: bool
-) -> list[Stretch]:
-    """The stretch between two joints, and the bridge at the first if there is one."""
-    low, high = before.high, after.low
-    a, b = as_float(low), as_float(high)
-    inside = tuple(at for at in passed if a < as_float(at) < b or (free and as_float(at) == a))
-    bend = curve.bend((low + (high - low) * INSIDE).mid())
-    reach = max((joint.reach for joint in (before, after) if joint.at is not None), default=0.0)
-    covers = (
-        (a if before.at is None else before.at, b if after.at is None else after.at) if reach > 0 else None
-    )
-    whole = Stretch(low, high, a, b, before.start, after.end, kind, bend, inside, reach, covers)
-    if before.at is not None:
-        return [whole]
-    return [_bridge(before), whole]
-
-
-def _bridge(joint: _Joint) -> Stretch:
-    """The stretch of the small pieces at a joint."""
-    a, b = as_float(joint.low), as_float(joint.high)
-    return Stretch(joint.low, joint.high, a, b, joint.end, joint.start, "bridge", 1.0, (), joint.reach)
-
-
-def _frame(curve: FormulaCurve, point: SpecialPoint, side: int) -> Frame:
-    """The frame at a split point, seen from the stretch after (side 1) or before it (side −1)."""
-    from flint import arb
-
-    at = point.at.mid() if not point.decided else point.at
-    singular = "cusp" in point.kinds
-    rows = curve.balls.coefficients(arb(at), CUSP_ORDERS if singular else 1)
-    for order in range(2 if singular else 1, len(rows[0])):
-        parts = [row[order] for row in rows]
-        length = sum((part * part for part in parts), arb(0)).sqrt()
-        if length > 0:
-            sign = side ** (order - 1)  # α̇ ~ (t − c)^(order − 1)
-            # what cannot be told from 0 in balls is 0: its double would be the noise of the last bits
-            tangent = tuple(as_float(sign * part / length) for part in parts)
-            return Frame(tuple(as_float(row[0]) for row in rows), tangent, order)
-    raise UndecidedError(
-        f"The curve has no tangent at t = {as_float(point.at):.10g} that {CUSP_ORDERS} derivatives could "
-        "tell: choose an interval without this point."
-    )

@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from osculant.approximation.division import INSIDE
 from osculant.approximation.runs import Floats, Progress, Run
 from osculant.approximation.segments import Segments
 from osculant.approximation.split_points import as_float
+from osculant.approximation.stretches import INSIDE
 from osculant.cas.errors import DomainError, UndecidedError
 
 if TYPE_CHECKING:
     from osculant.approximation.coordinates import Coordinates
-    from osculant.approximation.division import Stretch
+    from osculant.approximation.stretches import Stretch
     from osculant.cas.geometry.conic_curves import ConicCurve
     from osculant.primitives.primitive import Fit
 

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from osculant.approximation.division import INSIDE, Frame
 from osculant.approximation.runs import Floats, Run, equal_shares, integrated, speed
 from osculant.approximation.segments import Segments
 from osculant.approximation.split_points import as_float
+from osculant.approximation.stretches import INSIDE, Frame
 from osculant.pieces.helices import HelixArc, SpacePiece, Vector
 
 #: panels, of the stretch and per piece, of the quadrature of arc length

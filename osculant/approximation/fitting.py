@@ -29,8 +29,9 @@ from osculant.cas.errors import UndecidedError
 from osculant.tolerances import window
 
 if TYPE_CHECKING:
-    from osculant.approximation.division import Division, Stretch
+    from osculant.approximation.division import Division
     from osculant.approximation.runs import Part, Progress, Run
+    from osculant.approximation.stretches import Stretch
     from osculant.curves.curve import FormulaCurve
     from osculant.curves.extent import Extent
     from osculant.primitives.primitive import Fit

@@ -11,9 +11,9 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from osculant.approximation.division import Stretch
     from osculant.approximation.fitting import Fitted
     from osculant.approximation.runs import Run
+    from osculant.approximation.stretches import Stretch
     from osculant.curves.curve import FormulaCurve
     from osculant.primitives.primitive import Theorem
 

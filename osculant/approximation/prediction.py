@@ -15,7 +15,8 @@ from osculant.spline import Prediction
 from osculant.tolerances import checked_tolerance
 
 if TYPE_CHECKING:
-    from osculant.approximation.division import Division, Stretch
+    from osculant.approximation.division import Division
+    from osculant.approximation.stretches import Stretch
     from osculant.curves.curve import FormulaCurve
     from osculant.primitives.primitive import Fit
 

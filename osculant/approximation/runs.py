@@ -12,7 +12,7 @@ import numpy as np
 from osculant.cas.errors import UndecidedError
 
 if TYPE_CHECKING:
-    from osculant.approximation.division import Stretch
+    from osculant.approximation.stretches import Stretch
     from osculant.curves.curve import FormulaCurve
 
 #: nodes of the quadrature along a curve

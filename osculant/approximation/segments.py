@@ -13,7 +13,7 @@ from osculant.approximation.runs import Floats, Progress, Run, equal_parts, equa
 
 if TYPE_CHECKING:
     from osculant.approximation.coordinates import Coordinates
-    from osculant.approximation.division import Stretch
+    from osculant.approximation.stretches import Stretch
     from osculant.primitives.primitive import Fit
 
 #: samples per piece that tell lengths, whatever the parameter

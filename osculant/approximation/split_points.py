@@ -10,7 +10,7 @@ from osculant.cas.formulas.expression import to_text
 from osculant.curves.curve import as_constant
 
 if TYPE_CHECKING:
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
     from osculant.curves.curve import FormulaCurve
 
 #: split points nearer to an end than this part of the interval are that end
@@ -41,7 +41,7 @@ def cut_around(
 
     What was found at either end, or is asked for there, is one point.
     """
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
 
     every = [*found, *(_asked(curve, asked, low, high, seam=True) for asked in split_at)]
     seam = [point for point in every if _is_near(point, low, low, high) or _is_near(point, high, low, high)]
@@ -88,12 +88,12 @@ def _end(found: list[SpecialPoint], at: Any) -> SpecialPoint:
 
 def _both(known: SpecialPoint, other: SpecialPoint) -> SpecialPoint:
     """One point for two with the same double: where theory found it, with all that it is."""
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
 
     return SpecialPoint(known.at, known.kinds | other.kinds, known.decided and other.decided)
 
 
 def _point(at: Any, kinds: frozenset[str]) -> SpecialPoint:
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
 
     return SpecialPoint(at, kinds)

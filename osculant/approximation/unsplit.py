@@ -22,7 +22,7 @@ from osculant.cas.errors import UndecidedError
 
 if TYPE_CHECKING:
     from osculant.approximation.coordinates import Coordinates
-    from osculant.approximation.division import Stretch
+    from osculant.approximation.stretches import Stretch
     from osculant.primitives.primitive import Fit
 
 #: beginnings tried for an arc across, and ends for each; bisections of the last end

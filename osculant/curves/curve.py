@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from osculant.cas.invariants.values import ExactValues
     from osculant.cas.jets.jet import Invariant
     from osculant.cas.laws.law import Law
-    from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
+    from osculant.cas.zeros.form_zeros import FormZeros
+    from osculant.cas.zeros.points import SpecialPoint
     from osculant.codegen.jets import CompiledJet
 
 #: characters of a constant shown in messages

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from osculant.cas.jets.balls import SpaceBalls
     from osculant.cas.jets.jet import Invariant
     from osculant.cas.jets.space import SpaceJet
-    from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint
+    from osculant.cas.zeros.form_zeros import FormZeros
+    from osculant.cas.zeros.points import SpecialPoint
     from osculant.codegen.jets import CompiledJet
 
 #: the invariants of `SpaceCurve.tabulate`

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from osculant.cas.formulas.expression import Node
-    from osculant.cas.zeros.form_zeros import SpecialPoint
+    from osculant.cas.zeros.points import SpecialPoint
     from osculant.curves.curve import FormulaCurve
 
 #: of each kind of points, the form over jets and the derivatives that it takes
@@ -83,7 +83,7 @@ def together(curve: FormulaCurve, names: Sequence[str], of_jets: OfJets) -> list
     ``of_jets`` finds those of some of the forms over jets. What it does not soon decide is left to factors.
     """
     from osculant.cas.numbers.balls import PRECISION, constant, precision
-    from osculant.cas.zeros.form_zeros import SpecialPoint, merged
+    from osculant.cas.zeros.points import SpecialPoint, merged
 
     soon = of_jets(names, SOON)
     hard = {kind for point in soon if not point.decided for kind in point.kinds}

@@ -8,7 +8,8 @@ import pytest
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_constant, parse_tuple
 from osculant.cas.jets.balls import SpaceBalls
-from osculant.cas.zeros.form_zeros import FormZeros, SpecialPoint, ZeroForm
+from osculant.cas.zeros.form_zeros import FormZeros, ZeroForm
+from osculant.cas.zeros.points import SpecialPoint
 from osculant.cas.zeros.space import special_points, zeros
 
 ALL = ("cusp", "inflection", "vertex")
