@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from osculant.api import approximate, complexity, curve
     from osculant.approximation.prediction import Complexity
     from osculant.cas.errors import DomainError, FormulaError, OsculantError, ToleranceError, UndecidedError
-    from osculant.certificates.check_algebra import RejectedError
+    from osculant.certificates.check_text import RejectedError
     from osculant.certificates.checker import check
     from osculant.compiled.approximator import compile_approximator, compile_evaluator
     from osculant.curves.plane import PlaneCurve

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 #: the area between what lies within a distance of one point, in squares of that
 SQUARE = 4.0
+#: cosines of angles that doubles take for 0
+ALONG = 1 - 1e-15
 
 
 class Bridge(Segments):
@@ -29,9 +31,17 @@ class Bridge(Segments):
     def __init__(self, coordinates: Coordinates, fit: Fit, stretch: Stretch) -> None:
         super().__init__(coordinates, fit, stretch)
         extent = stretch.reach
-        if stretch.start.tangent != stretch.end.tangent:  # or it is the chord
+        if not self._is_chord:
             extent = max(extent, self._size)
         self.error = extent if fit.degree == 1 else SQUARE * extent * self._size
+
+    @cached_property
+    def _is_chord(self) -> bool:
+        """Whether both tangents go along the chord."""
+        start, end = self.stretch.start, self.stretch.end
+        chord = np.subtract(end.point, start.point)
+        ahead = float(chord @ np.array(start.tangent))
+        return start.tangent == end.tangent and ahead >= ALONG * float(np.linalg.norm(chord))
 
     @cached_property
     def least(self) -> int:
@@ -61,6 +71,6 @@ class Bridge(Segments):
     def _bridge(self, error: float) -> list[Any]:
         bridge, start, end = self.fit.primitive.bridge, self.stretch.start, self.stretch.end
         assert bridge is not None  # or the curve would not have been divided so
-        if start.tangent == end.tangent:  # along the chord
+        if self._is_chord:
             return [replace(self.fit.primitive.segment(self.ends, start.point, end.point), error=error)]
         return bridge(self.ends, (start.point, start.tangent), (end.point, end.tangent), error)

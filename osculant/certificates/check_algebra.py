@@ -9,23 +9,18 @@ import ast
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
-from math import isqrt
+from math import comb, isqrt, lcm
 from typing import Any
+
+from osculant.certificates.check_text import RejectedError, Work, parsed, require
 
 Exponents = tuple[int, ...]
 Polynomial = dict[Exponents, Fraction]
 Vector = list[Polynomial]
 Row = dict[int, Any]
 
-
-class RejectedError(ValueError):
-    """A certificate that does not prove what it says; the message tells the first step that fails."""
-
-
-def require(condition: bool, complaint: str) -> None:
-    """Raise RejectedError with the complaint unless the condition holds."""
-    if not condition:
-        raise RejectedError(complaint)
+#: exponents of sums at most
+HIGHEST = 10_000
 
 
 def constant(value: Fraction | int, n: int) -> Polynomial:
@@ -51,6 +46,7 @@ def times(a: Polynomial, b: Polynomial, order: int | None = None) -> Polynomial:
     >>> times({(1,): Fraction(1)}, {(2,): Fraction(3)}) == {(3,): Fraction(3)}
     True
     """
+    Work.spend(len(a) * len(b))
     found: Polynomial = {}
     for m, c in a.items():
         room = None if order is None else order - sum(m)
@@ -63,6 +59,7 @@ def times(a: Polynomial, b: Polynomial, order: int | None = None) -> Polynomial:
 
 def power(a: Polynomial, e: int, n: int, order: int | None = None) -> Polynomial:
     """a^e for e ≥ 0."""
+    require(order is not None or len(a) < 2 or e <= HIGHEST, "a power that is too high")
     if order is not None and a and min(map(sum, a)) * e > order:
         return {}
     found = constant(1, n)
@@ -92,7 +89,9 @@ def composed(f: Polynomial, images: Sequence[Polynomial], n: int) -> Polynomial:
 
 def monomials(n: int, order: int, weights: Sequence[int] = ()) -> list[Exponents]:
     """All exponents of degree, or weight, at most ``order``."""
+    require(isinstance(order, int) and order >= 0, f"{str(order)[:60]!r} is no order of jets")
     if not weights:
+        Work.spend(n * comb(n + order, n))
         return [
             tuple(chosen.count(i) for i in range(n))
             for d in range(order + 1)
@@ -100,6 +99,7 @@ def monomials(n: int, order: int, weights: Sequence[int] = ()) -> list[Exponents
         ]
     found: list[Exponents] = [()]
     for i in range(n):
+        Work.spend(len(found) * (order // weights[i] + 1))
         found = [
             (*m, e) for m in found for e in range(order // weights[i] + 1) if weigh((*m, e), weights) <= order
         ]
@@ -120,8 +120,9 @@ def pivots(rows: Iterable[Mapping[int, Any]], prime: int | None = None) -> set[i
     found: dict[int, Row] = {}
     for given in rows:
         row: Row = dict(given)
-        if prime is not None:
-            row = {c: v.numerator * pow(v.denominator, -1, prime) % prime for c, v in row.items()}
+        if prime is not None:  # whole multiples have no larger rank modulo the prime than over ℚ
+            common = lcm(*(v.denominator for v in row.values()))
+            row = {c: int(v * common) % prime for c, v in row.items()}
             row = {c: v for c, v in row.items() if v}
         while row:
             lead = min(row)
@@ -132,6 +133,7 @@ def pivots(rows: Iterable[Mapping[int, Any]], prime: int | None = None) -> set[i
                 }
                 break
             factor = row[lead]
+            Work.spend(len(found[lead]))
             for c, v in found[lead].items():
                 value = row.get(c, 0) - factor * v
                 value = value if prime is None else value % prime
@@ -157,22 +159,18 @@ def read(text: str, names: Sequence[str], order: int | None = None) -> Polynomia
     >>> read("sin(x)", ["x"], 3) == {(1,): Fraction(1), (3,): Fraction(-1, 6)}
     True
     """
-    try:
-        tree = ast.parse(text.strip().replace("^", "**"), mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise RejectedError(f"{text[:60]!r} is no formula") from None
-    return _Reader(names, order).value(tree)
+    return _Reader(len(names), order).value(parsed(text, names))
 
 
 class _Reader:
     """From a syntax tree to a polynomial; nothing is run."""
 
-    def __init__(self, names: Sequence[str], order: int | None) -> None:
-        self.names, self.n, self.order = list(names), len(names), order
+    def __init__(self, n: int, order: int | None) -> None:
+        self.names, self.n, self.order = [f"v{i}" for i in range(n)], n, order
 
     def value(self, node: ast.expr) -> Polynomial:
-        if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-            return constant(Fraction(str(node.value)), self.n)
+        if isinstance(node, ast.Constant) and type(node.value) is int:
+            return constant(node.value, self.n)
         if isinstance(node, ast.Name) and node.id in self.names:
             m = tuple(int(name == node.id) for name in self.names)
             return {} if self.order == 0 else {m: Fraction(1)}
@@ -270,8 +268,18 @@ def _root(value: Fraction, degree: int) -> Fraction:
     require(value > 0 or negative, f"no root of {value}")
     parts = []
     for part in (abs(value.numerator), value.denominator):
-        guess = round(part ** (1.0 / degree))
-        close = next((g for g in range(max(guess - 2, 0), guess + 3) if g**degree == part), None)
-        require(close is not None, f"the root of {value} is not rational")
-        parts.append(close)
-    return Fraction(parts[0] or 0, parts[1] or 1) * (-1 if negative else 1)
+        root = _whole_root(part, degree)
+        require(root**degree == part, f"the root of {value} is not rational")
+        parts.append(root)
+    return Fraction(*parts) * (-1 if negative else 1)
+
+
+def _whole_root(value: int, degree: int) -> int:
+    """The largest whole number whose power is at most a positive one."""
+    if degree == 1:
+        return value
+    low, high = 1, 1 << (value.bit_length() // degree + 1)
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if middle**degree <= value else (low, middle)
+    return low

@@ -9,20 +9,18 @@ from __future__ import annotations
 import ast
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
 
 from osculant.certificates.check_algebra import (
     Polynomial,
-    RejectedError,
     composed,
     constant,
     derivative,
     plus,
     power,
-    require,
     taylor,
     times,
 )
+from osculant.certificates.check_text import RejectedError, parsed, require
 
 Quotient = tuple[Polynomial, Polynomial]
 #: functions by the tangent T of half the angle (h: hyperbolic): coefficients of 1, T, T² above and below
@@ -51,18 +49,19 @@ class Model:
     """
 
     def __init__(self, components: Sequence[str], source: Sequence[str], functions: int) -> None:
-        self.source, self.n, self.width = list(source), len(source), len(source) + functions
+        self.n, self.width = len(source), len(source) + functions
+        self.source = [f"v{i}" for i in range(self.n)]
         self.known: dict[tuple[str, str], int] = {}
         #: of the functions: the derivatives by the source variables, and their denominator
         self.rules: dict[int, tuple[list[Polynomial], Polynomial]] = {}
-        self.components = [self.quotient(ast.parse(_plain(text), mode="eval").body) for text in components]
+        self.components = [self.quotient(parsed(text, source)) for text in components]
         require(len(self.rules) == functions, "the germ has another number of functions")
 
     def quotient(self, node: ast.expr) -> Quotient:
         """An expression as numerator and denominator."""
         one = constant(1, self.width)
-        if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-            return constant(Fraction(str(node.value)), self.width), one
+        if isinstance(node, ast.Constant) and type(node.value) is int:
+            return constant(node.value, self.width), one
         if isinstance(node, ast.Name) and node.id in self.source:
             return self.variable(self.source.index(node.id)), one
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.UAdd):
@@ -195,8 +194,3 @@ class Model:
             (composed(a, images, found.n), composed(b, images, found.n)) for a, b in self.components
         ]
         return found
-
-
-def _plain(text: Any) -> str:
-    require(isinstance(text, str), "a component that is no text")
-    return str(text).strip().replace("^", "**")

@@ -21,10 +21,10 @@ from osculant.certificates.check_algebra import (
     monomials,
     pivots,
     read,
-    require,
     times,
     weigh,
 )
+from osculant.certificates.check_text import rational, require
 
 EXTENDED, ORDINARY, UNIPOTENT = 0, 1, 2
 #: group: (source fields, target part)
@@ -139,7 +139,7 @@ def annihilated(
     rows = [row for v in vectors if (row := _row(v, place, problem.p))]
     functionals = []
     for given in told["functionals"]:
-        functional = {problem.term(t): Fraction(v) for t, v in given.items()}
+        functional = {problem.term(t): rational(v) for t, v in given.items()}
         require(all(m in place for m, _ in functional), "a functional lives beyond the jets")
         functionals.append({k: v for k, v in functional.items() if v})
     numbered: list[Row] = [{problem.p * place[m] + j: v for (m, j), v in f.items()} for f in functionals]

@@ -11,7 +11,8 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from osculant.certificates.check_algebra import Polynomial, monomials, pivots, plus, require
+from osculant.certificates.check_algebra import Polynomial, monomials, pivots, plus
+from osculant.certificates.check_text import rational, require
 
 #: products of terms that a check may take
 WORK = 20_000_000
@@ -28,7 +29,7 @@ def polynomial(told: Any, n: int) -> Polynomial:
     for term in told:
         m = tuple(term[:-1])
         require(len(m) == n and all(isinstance(e, int) and e >= 0 for e in m), "a term of the wrong size")
-        found = plus(found, {m: Fraction(term[-1])})
+        found = plus(found, {m: rational(term[-1])})
     return found
 
 
@@ -65,7 +66,7 @@ def check_zeros(
 
 def _check_apart(basis: list[Polynomial], width: int, least: int, told: Mapping[str, Any]) -> None:
     """Check that the zeros of the basis with ℓ = 0 are of lower dimension: forms leave the origin alone."""
-    forms = [[Fraction(v) for v in form] for form in told["forms"]]
+    forms = [[rational(v) for v in form] for form in told["forms"]]
     require(
         len(forms) == least - 1 and all(len(form) == width for form in forms), "the number of forms is wrong"
     )

@@ -13,7 +13,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from osculant.certificates.check_algebra import RejectedError, read, require
+from osculant.certificates.check_algebra import read
 from osculant.certificates.check_fields import applied, check_nilpotent
 from osculant.certificates.check_loci import check_locus
 from osculant.certificates.check_tangents import (
@@ -25,6 +25,7 @@ from osculant.certificates.check_tangents import (
     annihilated,
     spanning,
 )
+from osculant.certificates.check_text import RejectedError, Work, rational, require
 
 #: bytes of a certificate file at most
 LARGEST = 50_000_000
@@ -57,11 +58,15 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
         text = Path(certificate).read_bytes()
         require(len(text) <= LARGEST, "the file is too large")
         try:
-            data = json.loads(text)
+            data = json.loads(text, parse_constant=_no_number)
         except (ValueError, RecursionError):
             raise RejectedError("the file is no JSON") from None
     require(isinstance(data, Mapping) and data.get("kind") == "germ", "this is no certificate file of a germ")
-    require(data.get("version") == 1, f"the version {data.get('version')!r} of the file is not known")
+    require(
+        data.get("version") == 1 and data["version"] is not True,
+        f"the version {data.get('version')!r} of the file is not known",
+    )
+    Work.begin()
     try:
         return _germ(data)
     except RejectedError:
@@ -72,13 +77,18 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
         ValueError,
         IndexError,
         AttributeError,
-        ZeroDivisionError,
+        ArithmeticError,
+        MemoryError,
         RecursionError,
         StopIteration,
     ) as error:
         raise RejectedError(
             f"the certificate is not well formed ({type(error).__name__}: {error})"
         ) from error
+
+
+def _no_number(name: str) -> None:
+    raise ValueError(name)
 
 
 def _germ(data: Mapping[str, Any]) -> tuple[str, ...]:
@@ -97,6 +107,9 @@ def _germ(data: Mapping[str, Any]) -> tuple[str, ...]:
     ):
         if data[key] is None:
             continue
+        require(
+            type(data[key]) is int or data[key] == "infinite", f"{str(data[key])[:60]!r} is no codimension"
+        )
         found = check_codimension(problem, version, data[key], proofs[key])
         depth = found.depth(False) if found is not None and version == ORDINARY else depth
         told.append(f"{what} of {name} is {data[key]}.")
@@ -146,7 +159,7 @@ def _contact(problem: Problem, weights: tuple[int, ...], told: Mapping[str, Any]
 def check_determinacy(problem: Problem, degree: Any, told: Mapping[str, Any]) -> None:
     """Check that a germ is determined to a degree; raises RejectedError."""
     require(told["kind"] == "criterion", "no such proof")
-    require(isinstance(degree, int) and degree >= 1, "a degree is at least 1")
+    require(type(degree) is int and degree >= 1, "a degree is at least 1")
     fields = told["matrices"]
     check_nilpotent(problem, fields)
     jets = told["annihilator"]
@@ -182,7 +195,7 @@ def check_sharp(problem: Problem, degree: int, depth: int | None, told: Mapping[
     for f, g, text in zip(problem.jet(degree - 1), other.jet(degree - 1), texts):
         require(f == g, "the other germ has another jet")
         read(text, problem.source)  # a polynomial
-    values = {other.term(t): Fraction(v) for t, v in told["functional"]["values"].items()}
+    values = {other.term(t): rational(v) for t, v in told["functional"]["values"].items()}
     require(all(sum(m) <= degree for m, _ in values), "the functional lives beyond the jets")
     require(any(v and sum(m) == degree for (m, _), v in values.items()), f"the functional is 0 on M^{degree}")
     for vector in spanning(other, ORDINARY, degree):

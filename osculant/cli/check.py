@@ -24,7 +24,7 @@ def check(file: File, as_json: AsJson = False) -> None:
 
     JSON: "accepted", true; "proved", the sentences.
     """
-    from osculant.certificates.check_algebra import RejectedError
+    from osculant.certificates.check_text import RejectedError
     from osculant.certificates.checker import check as checked
 
     try:

@@ -20,6 +20,7 @@ def test_whatever_winds_within_the_tolerance_is_passed_over(text, low, high, tol
     spline = osc.approximate(osc.curve(text, low, high), primitive, tolerance)
     alone = osc.approximate(osc.curve(text, *wide), primitive, tolerance)
     assert spline.bridged and len(spline.pieces) <= len(alone.pieces) + 8
+    assert primitive == "polygon" or spline.max_tangent_jump() < 1e-9
     assert spline.knots[0] == float(spline.curve.interval[0])
     assert spline.knots[-1] == float(spline.curve.interval[1])
 

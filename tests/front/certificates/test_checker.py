@@ -11,7 +11,8 @@ from functools import cache
 import pytest
 
 import osculant as osc
-from osculant.certificates.check_algebra import RejectedError, read, taylor
+from osculant.certificates.check_algebra import read, taylor
+from osculant.certificates.check_text import RejectedError
 from osculant.certificates.checker import check
 from osculant.germs.map_germ import germ
 from osculant.germs.report import certificate_file
