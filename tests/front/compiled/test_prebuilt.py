@@ -127,7 +127,7 @@ def compiled(kernel, first, family):
 
 
 def printed(*arguments, **environment):
-    script = [sys.executable, "-c", SCRIPT, *map(str, arguments)]
+    script = [sys.executable, "-P", "-c", SCRIPT, *map(str, arguments)]
     done = subprocess.run(script, env={**os.environ, **environment}, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return done.stdout.splitlines()
