@@ -17,7 +17,8 @@ The grammar, in EBNF, with blanks (spaces, tabs, line ends) allowed between any 
 
 So -t^2 is -(t^2), t^2^3 is t^(2^3), 2^-t is 2^(-t), and there is no multiplication without a sign. Numbers
 are exact rationals (0.1 is 1/10); cbrt is the real cube root, every other root wants a base >= 0.
-Limits: 4096 characters, ASCII, 64 nested parentheses and exponents, 2000 nodes, numbers of 4096 bits.
+Limits: 4096 characters, ASCII, 64 nested parentheses and exponents, 2000 nodes, numbers of 4096 bits; a
+file may hold more (`FILE`).
 """
 
 from __future__ import annotations
@@ -72,6 +73,17 @@ _OPERATIONS = {"+": ex.add, "-": ex.sub, "*": ex.mul, "/": ex.div, "**": ex.powe
 _CONSTANTS = {"pi": ex.PI, "e": ex.E}
 
 
+class Limits(NamedTuple):
+    """How long a text may be, and how many operations and operands it may have."""
+
+    characters: int = CHARACTERS
+    nodes: int = NODES
+
+
+#: the limits of what is typed, and of what is read from a file
+USUAL, FILE = Limits(), Limits(1_000_000, 50_000)
+
+
 class _Token(NamedTuple):
     kind: str  # "number", "name", "sign" or "end"
     text: str
@@ -99,13 +111,16 @@ def parse(text: str, variables: Sequence[str] = ("t",)) -> Node:
     return parser.finish([node])[0]
 
 
-def parse_tuple(text: str, variables: Sequence[str] = ("t",)) -> tuple[Node, ...]:
+def parse_tuple(text: str, variables: Sequence[str] = ("t",), limits: Limits = USUAL) -> tuple[Node, ...]:
     """The expressions of a list of formulas separated by commas, the whole in parentheses or not.
+
+    text: formulas in the grammar of this module; variables: the names they may use; limits: of their size.
+    Raises FormulaError, with the place under the text, for everything else.
 
     >>> [str(node) for node in parse_tuple("(t, t^2)")]
     ['t', 't**2']
     """
-    parser = _Parser(text, variables)
+    parser = _Parser(text, variables, limits)
     enclosed = parser.enclosed()
     if enclosed:
         parser.advance()
@@ -130,8 +145,8 @@ def parse_constant(text: str) -> Node:
 class _Parser:
     """Precedence climbing over the tokens of one text; it recurses where the grammar nests, within DEPTH."""
 
-    def __init__(self, text: str, variables: Sequence[str]) -> None:
-        self.text = text
+    def __init__(self, text: str, variables: Sequence[str], limits: Limits = USUAL) -> None:
+        self.text, self.limits = text, limits
         self.variables = {name: ex.variable(name) for name in variables}
         self.tokens = self.tokenize()
         self.position = 0
@@ -156,9 +171,9 @@ class _Parser:
         return FormulaError(f"{sentence}\n  {before}{shown}{after}\n  {blanks}^")
 
     def tokenize(self) -> list[_Token]:
-        if len(self.text) > CHARACTERS:
-            sentence = f"A formula has at most {CHARACTERS} characters; this one has {len(self.text)}."
-            raise self.error(sentence, CHARACTERS)
+        most = self.limits.characters
+        if len(self.text) > most:
+            raise self.error(f"A formula has at most {most} characters; this one has {len(self.text)}.", most)
         tokens: list[_Token] = []
         column = 0
         while column < len(self.text):
@@ -188,8 +203,8 @@ class _Parser:
     def finish(self, nodes: list[Node]) -> tuple[Node, ...]:
         if self.token.text == ")":
             raise self.error("This parenthesis closes nothing; remove it or open one before.")
-        if len(topological(nodes)) > NODES:
-            raise self.error(f"The formula has more than {NODES} operations; write a shorter one.")
+        if len(topological(nodes)) > (most := self.limits.nodes):
+            raise self.error(f"The formula has more than {most} operations; write a shorter one.")
         return tuple(nodes)
 
     def expression(self, floor: int) -> Node:

@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import Any
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.formulas.expression import Node, call, number, power, to_text, variable
+from osculant.cas.formulas.expression import ZERO, Node, call, number, power, to_text, variable
 from osculant.cas.formulas.graph import fold, topological, variables
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.germs import polynomials as poly
@@ -165,13 +165,18 @@ def expanded(components: tuple[Node, ...], source: tuple[str, ...], order: int) 
 
 
 def as_node(f: Polynomial, source: tuple[str, ...]) -> Node:
-    """A polynomial as an expression in the source variables."""
+    """A polynomial as an expression in the source variables.
+
+    >>> print(as_node({poly.monomial((1,)): 2, poly.monomial((2,)): -1}, ("x",)))
+    2*x - x**2
+    """
     total = number(0)
     for m, c in f.items():
         term = number(1)
         for name, e in zip(source, poly.exponents_of(m, len(source))):
             term = term * variable(name) ** e
-        total = total + number(c) * term
+        negative = c < 0 and total is not ZERO
+        total = total - number(-c) * term if negative else total + number(c) * term
     return total
 
 

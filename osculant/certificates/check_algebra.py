@@ -183,10 +183,22 @@ class _Reader:
             return self.series(node.func.id, self.value(node.args[0]))
         raise RejectedError(f"{ast.unparse(node)[:60]!r} is no formula that the checker reads")
 
+    def sum(self, node: ast.BinOp) -> Polynomial:
+        """A sum, however many terms it has: its left operands are followed without recursion."""
+        terms: list[tuple[int, ast.expr]] = []
+        rest: ast.expr = node
+        while isinstance(rest, ast.BinOp) and isinstance(rest.op, ast.Add | ast.Sub):
+            terms.append((1 if isinstance(rest.op, ast.Add) else -1, rest.right))
+            rest = rest.left
+        found = self.value(rest)
+        for sign, term in reversed(terms):
+            found = plus(found, self.value(term), sign)
+        return found
+
     def operation(self, node: ast.BinOp) -> Polynomial:
-        left, right = self.value(node.left), self.value(node.right)
         if isinstance(node.op, ast.Add | ast.Sub):
-            return plus(left, right, 1 if isinstance(node.op, ast.Add) else -1)
+            return self.sum(node)
+        left, right = self.value(node.left), self.value(node.right)
         if isinstance(node.op, ast.Mult):
             return times(left, right, self.order)
         if isinstance(node.op, ast.Div):

@@ -21,6 +21,7 @@ NAMES = {
     "low": "--from",
     "high": "--to",
     "t": "--at",
+    "at": "--at",
     "split_at": "--split-at",
     "plot()": "--plot",
     "patience": "--patience",

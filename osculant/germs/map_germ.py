@@ -9,13 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from osculant.cas.errors import DomainError, FormulaError, UndecidedError
-from osculant.cas.formulas.expression import Node, to_text, variable
-from osculant.cas.formulas.parser import parse, parse_tuple
+from osculant.cas.errors import DomainError, UndecidedError
+from osculant.cas.formulas.expression import to_text
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group
 from osculant.cas.germs.groups import group as group_of
+from osculant.germs.reading import components_of, names_of, point_of
 
 if TYPE_CHECKING:
     from osculant.cas.germs.codimension import Codimension
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from osculant.cas.germs.local_algebra import LocalAlgebra
     from osculant.cas.germs.search import Patience
     from osculant.cas.germs.unfolding import Unfolding
+    from osculant.cas.germs.versal import Versality
 
 Size = int | Literal["infinite"]
 #: seconds that a question has at least
@@ -30,59 +31,48 @@ LEAST = 1.0
 GroupName = str | Group | None
 
 
-def germ(formulas: Any, source: Any, boundary: Any = None, *, patience: float = 10.0) -> MapGerm:
+def germ(
+    formulas: Any, source: Any, boundary: Any = None, *, at: Any = None, patience: float = 10.0
+) -> MapGerm:
     """A map-germ (Kⁿ,0) → (Kᵖ,0) from the formulas of its components.
 
     Args:
-        formulas: text such as ``"x, x*y + y**3"``, a sympy or symengine expression, or a sequence of texts
-            and expressions.
+        formulas: text such as ``"x, x*y + y**3"``; a `pathlib.Path` of a file with such text, of up to a
+            million bytes; one component or a sequence of them: texts, sympy or symengine expressions, or
+            dictionaries such as ``{(1, 1): 1, (0, 3): Fraction(1, 2)}`` from exponents to coefficients.
         source: the source variables in order: their names separated by blanks, or a sequence of names or
             symbols.
         boundary: the variable u of H = {u = 0} for the groups R(H), K(H) and A(H), which preserve H; by
             default the variable called ``u`` if there is one.
+        at: the point of the germ, if it is not the origin: text such as ``"1, -1/2"`` or a sequence of exact
+            rational numbers, no floats. It is moved to the origin, and its image too: x ↦ f(a + x) − f(a).
         patience: seconds of processor time for a question (a report: for all of them, and one second more for
             each that is left then); what is not decided in that time is told to be undecided.
 
-    Raises FormulaError for what is no formula, uses other variables or has no component; DomainError for a
-    germ that does not vanish at 0, is not analytic there or has coefficients that are not rational, and for a
-    boundary that is no source variable, and for a patience that is not positive.
+    Raises FormulaError for what is no formula, uses other variables or has no component, and for a file that
+    cannot be read; DomainError for a germ that does not vanish at 0, is not analytic there or has
+    coefficients that are not rational, for a boundary that is no source variable, for a point that is not
+    exact, has another dimension or is off the boundary, and for a patience that is not positive.
 
     >>> germ("x1, x2, x3**2 + x1*u + x2*u**2 + u**3", "x1 x2 x3 u").codimension("A(H)")
     3
     >>> from sympy.abc import x, y
     >>> germ([x, y**2, 0], [x, y]).codimension("A")
     'infinite'
+    >>> germ([{(2,): 1, (4,): -1}], "x", at=[0]).components, germ("x**3 - 3*x", "x", at="1").components
+    (('x**2 - x**4',), ('x**3 + 3*x**2',))
     """
     if not patience > 0:
         raise DomainError(f"patience: {patience} is no positive number of seconds.", argument="patience")
-    names = _names(source)
-    exact = Germ(_components(formulas, names), names, None if boundary is None else str(boundary))
-    return MapGerm(exact, patience)
+    names = names_of(source)
+    components = components_of(formulas, names)
+    u = None if boundary is None else str(boundary)
+    if at is None:
+        return MapGerm(Germ(components, names, u), patience)
+    from osculant.cas.germs.moved import moved
 
-
-def _names(source: Any) -> tuple[str, ...]:
-    names = tuple(map(str, _parts(source.replace(",", " ").split() if isinstance(source, str) else source)))
-    return tuple(variable(name).value for name in names)  # refuses what cannot be a name
-
-
-def _components(formulas: Any, names: Sequence[str]) -> tuple[Node, ...]:
-    if isinstance(formulas, str):
-        return parse_tuple(formulas, names)
-    parts = _parts(formulas)
-    if not parts:
-        raise FormulaError("The germ has no component: give at least one formula, such as x**2.")
-    if all(isinstance(part, str) for part in parts):
-        return tuple(parse(part, names) for part in parts)
-    from osculant.cas.formulas.sympy_bridge import from_sympy
-
-    return tuple(parse(part, names) if isinstance(part, str) else from_sympy(part) for part in parts)
-
-
-def _parts(given: Any) -> list[Any]:
-    try:
-        return list(given)
-    except TypeError:  # one expression
-        return [given]
+    point = point_of(at)
+    return MapGerm(moved(components, names, point, u), patience, tuple(map(str, point)))
 
 
 @dataclass(frozen=True)
@@ -107,6 +97,7 @@ class MapGerm:
         boundary: the variable u of H = {u = 0}, or None.
         components: the formulas of the components.
         rank: the rank of df at 0.
+        at: the coordinates of the point that was moved to the origin, as text, or None.
         seconds: of processor time for one question; then UndecidedError is raised.
         clock: the time for several questions together, if there is one.
 
@@ -115,8 +106,8 @@ class MapGerm:
     (('x', 'y'), 2, 1, ('x', 'x*y + y**3'))
     """
 
-    def __init__(self, exact: Germ, patience: float = 10.0) -> None:
-        self.exact = exact
+    def __init__(self, exact: Germ, patience: float = 10.0, at: tuple[str, ...] | None = None) -> None:
+        self.exact, self.at = exact, at
         self.source, self.target, self.boundary = exact.source, exact.p, exact.boundary
         self.components = tuple(to_text(node) for node in exact.components)
         self.rank = exact.rank
@@ -172,6 +163,22 @@ class MapGerm:
         from osculant.cas.germs.unfolding import unfolding
 
         return self._unfolded(unfolding(self.exact, self.group(group), parameter, self.patience))
+
+    def versality(self, parameters: Any, group: GroupName = None) -> tuple[MapGerm, Versality]:
+        """The germ F(t, x), or (t, F(t, x)), read as an unfolding of f = F(0, ·): f, and whether F is versal.
+
+        Without a group, the one that is meant for f. DomainError for parameters that are no source variables
+        or leave none, and for infinite codimension.
+
+        >>> f, found = germ("a, x**3 + a*x", "a x").versality("a", "K")
+        >>> f, found.versal, tuple(map(f.term, found.missing))
+        (<MapGerm x**3 in x>, False, ('1',))
+        """
+        from osculant.cas.germs.versal import Family, versality
+
+        family = Family(self.exact, names_of(parameters))
+        f = MapGerm(family.germ, self.seconds)
+        return f, versality(family, f.group(group), self.patience)
 
     def stable_unfolding(self, group: GroupName = None, parameter: str = "t") -> GermUnfolding:
         """The least stable unfolding of the germ, taken as a genotype; DomainError if it is not K-finite.

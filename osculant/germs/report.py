@@ -3,9 +3,13 @@
 Keys: ``source`` (names), ``target`` (p), ``components``, ``boundary`` (a name or null), ``group``, ``rank``;
 ``codimension``, ``extended_codimension`` and ``determinacy``: a number or "infinite"; ``sharp``: true if one
 degree less is refuted, null if that is not known, and ``sharpness``: why; ``stable``; ``unfolding``: the
-terms of a miniversal one; ``tjurina``, ``multiplicity``, ``ramification``: dimensions, or "infinite";
-``hilbert``: the Hilbert function of the Q-algebra; for a function also ``milnor``.
-What is undecided or has no meaning for the germ is null, and ``reason`` has a sentence under the same key.
+terms of a miniversal one, and ``unfolding_germ``: it as a germ (t, F(t, x)), which can be read again, with
+``components``, ``source`` and ``parameters``; ``tjurina``, ``multiplicity``, ``ramification``: dimensions, or
+"infinite";
+``hilbert``: the Hilbert function of the Q-algebra; for a function also ``milnor``; ``at``: the point, if one
+was moved to the origin.
+What is undecided or has no meaning for the germ is null, and ``reason`` has a sentence under the same key;
+``undecided`` lists the keys of the first kind.
 
 ``certificate`` has under "codimension", "extended_codimension" and "determinacy" what an independent checker
 needs, null where there is no answer. A finite codimension has the functionals that vanish on the tangent
@@ -19,7 +23,8 @@ vanish on what they span together.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError, UndecidedError
@@ -46,6 +51,8 @@ def report(
     >>> found = report(germ("x, y**2", "x y"), "A")
     >>> found["codimension"], found["tjurina"], found["hilbert"], found["reason"]
     (1, 1, [1, 1], {})
+    >>> report(germ("x**3", "x"))["unfolding_germ"]["components"]
+    ['t1', 't2', 'x**3 + t1 + t2*x']
     """
     acting = germ.group(group)
     acting.generators(germ.exact)
@@ -57,6 +64,8 @@ def report(
         "group": acting.name,
         "rank": germ.rank,
     }
+    if germ.at is not None:
+        told["at"] = list(germ.at)
     from osculant.cas.germs.search import Patience
 
     germ.clock = Patience(germ.seconds)
@@ -100,6 +109,17 @@ def certificate_file(germ: MapGerm, group: GroupName = None) -> dict[str, Any]:
     return {"kind": "germ", "version": 1, **report(germ, group)}
 
 
+def tells_ramification(data: dict[str, Any]) -> bool:
+    """Whether the ramification of such a germ is a question: it is always infinite for a singular n = p, say.
+
+    >>> from osculant.germs.map_germ import germ
+    >>> tells_ramification(report(germ("x, y**2", "x y")))
+    False
+    """
+    n, p = len(data["source"]), data["target"]
+    return bool(data["rank"] == min(n, p) or n <= abs(n - p) + 1)
+
+
 def _with_terms(germ: MapGerm, told: dict[str, Any]) -> dict[str, Any]:
     """A certificate of the exact room with terms as text in place of the numbers of columns."""
     from osculant.cas.germs.tangent import JetSpace
@@ -122,6 +142,10 @@ def _with_terms(germ: MapGerm, told: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
+class _MeaninglessError(DomainError):
+    """What is asked has no answer for this germ and group."""
+
+
 class _Questions:
     """The questions about one germ, in order; each answers the keys after its name."""
 
@@ -130,7 +154,7 @@ class _Questions:
         ("extended", ("extended_codimension",)),
         ("determinacy", ("determinacy", "sharp", "sharpness")),
         ("stable", ("stable",)),
-        ("unfolding", ("unfolding",)),
+        ("unfolding", ("unfolding", "unfolding_germ")),
         ("tjurina", ("tjurina",)),
         ("q_algebra", ("multiplicity", "hilbert")),
         ("ramification", ("ramification",)),
@@ -146,6 +170,7 @@ class _Questions:
             ("codimension", "extended_codimension", "determinacy")
         )
         self.reasons: dict[str, str] = {}
+        self.undecided: list[str] = []
 
     def answers(self, progress: Callable[[float], None]) -> dict[str, Any]:
         data: dict[str, Any] = {}
@@ -160,7 +185,13 @@ class _Questions:
             except (DomainError, UndecidedError) as error:
                 data |= dict.fromkeys(keys)
                 self.reasons |= dict.fromkeys(keys, str(error))
-        return data | {"certificate": self.certificates, "reason": self.reasons}
+                if not isinstance(error, _MeaninglessError):
+                    self.undecided += keys
+        return data | {
+            "certificate": self.certificates,
+            "reason": self.reasons,
+            "undecided": self.undecided,
+        }
 
     def found(self, extended: bool = False) -> Codimension:
         return self.germ.proved_codimension(self.group, extended=extended)
@@ -182,12 +213,20 @@ class _Questions:
         return found.degree, found.sharp, found.reason
 
     def stable(self) -> tuple[bool]:
+        if self.group.target != "left":
+            raise _MeaninglessError(f"Stability is asked of A or A(H), not of {self.group.name}.")
         return (self.germ.is_stable(self.group),)
 
-    def unfolding(self) -> tuple[list[str]]:
+    def unfolding(self) -> tuple[list[str], dict[str, Any]]:
         if not self.found().finite:
-            raise DomainError("A germ of infinite codimension has no versal unfolding.")
-        return (list(self.germ.unfolding(self.group).terms),)
+            raise _MeaninglessError("A germ of infinite codimension has no versal unfolding.")
+        found = self.germ.unfolding(self.group, _letter(self.germ.source))
+        whole = found.germ
+        return list(found.terms), {
+            "components": list(whole.components),
+            "source": list(whole.source),
+            "parameters": list(whole.source[: len(found.terms)]),
+        }
 
     def tjurina(self) -> tuple[Any]:
         return (self.germ.tjurina,)
@@ -200,11 +239,16 @@ class _Questions:
         return found.dimension, list(found.hilbert)
 
     def ramification(self) -> tuple[Any]:
-        n, p = len(self.germ.source), self.germ.target
-        if not self.found().finite and n <= abs(n - p) + 1:  # it might reach its caps, after a long time
-            raise UndecidedError("It is not computed for a germ of infinite codimension.")
         found = self.germ.ramification
         return (found if found == "infinite" else found.dimension,)
 
     def milnor(self) -> tuple[Any]:
         return (self.germ.milnor,)
+
+
+def _letter(source: Sequence[str]) -> str:
+    """The letter of parameters: none of the variables is that letter and digits."""
+    letters: tuple[str, ...] = ("t", "s", "a", "b", "c", "tt")
+    while any(re.fullmatch(f"{letters[0]}[0-9]+", name) for name in source):
+        letters = letters[1:] if len(letters) > 1 else (letters[0] + "t",)
+    return letters[0]

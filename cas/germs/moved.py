@@ -1,0 +1,50 @@
+"""Germs at other points, moved to the origin: f(a + x) − f(a), exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from osculant.cas.errors import DomainError
+from osculant.cas.formulas.expression import Node, number, variable
+from osculant.cas.formulas.graph import substitute
+from osculant.cas.germs.germ import Germ, as_node, expanded
+from osculant.cas.germs.polynomials import LARGEST
+
+
+def moved(
+    components: Sequence[Node], source: Sequence[str], point: Sequence[Fraction], boundary: str | None = None
+) -> Germ:
+    """The germ of f at a point as a germ at the origin, x ↦ f(a + x) − f(a); polynomials are expanded.
+
+    Args:
+        components: the formulas of f.
+        source: the names of the source variables, in order.
+        point: the coordinates a of the point, as many.
+        boundary: as for `Germ`; the point must lie on H = {u = 0}.
+
+    Raises DomainError for a wrong number of coordinates, for a point off H or where f is not analytic or has
+    Taylor coefficients that are not rational, and for what `Germ` refuses.
+
+    >>> from osculant.cas.formulas.parser import parse_tuple
+    >>> print(moved(parse_tuple("x, x*y**2", ("x", "y")), ["x", "y"], [Fraction(1), Fraction(0)]))
+    (x, x*y**2 + y**2)
+    """
+    names = tuple(source)
+    if len(point) != len(names):
+        count = f"{len(point)} coordinate{'s'[: len(point) != 1]}"
+        raise DomainError(f"at: {count} for {len(names)} source variables: give one for each.", argument="at")
+    origin = Germ([variable(name) for name in names], names, boundary)  # refuses the names
+    u = origin.boundary
+    if u is not None and (height := point[names.index(u)]):
+        raise DomainError(
+            f"at: the point has {u} = {height} and is off the boundary {u} = 0: give 0 for {u}, or call the "
+            "variable otherwise.",
+            argument="at",
+        )
+    shifts = {name: variable(name) + number(a) for name, a in zip(names, point)}
+    shifted = tuple(substitute(components, shifts))
+    values = [f.get(0, 0) for f in expanded(shifted, names, 0)]
+    germ = Germ([f - number(c) for f, c in zip(shifted, values)], names, boundary)
+    jet = germ.polynomial(LARGEST)
+    return germ if jet is None else Germ([as_node(f, names) for f in jet], names, boundary)

@@ -1,0 +1,142 @@
+"""What a germ may be made of: text, a file, expressions, dictionaries of coefficients; never evaluated."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from osculant.cas.errors import DomainError, FormulaError
+from osculant.cas.formulas.expression import Node, variable
+from osculant.cas.formulas.parser import FILE, parse, parse_constant, parse_tuple
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.germ import as_node
+
+
+def names_of(source: Any) -> tuple[str, ...]:
+    """The names of variables, from text with blanks between them or from a sequence of names and symbols.
+
+    >>> names_of("x, y") == names_of(["x", "y"]) == ("x", "y")
+    True
+    """
+    names = tuple(map(str, _parts(source.replace(",", " ").split() if isinstance(source, str) else source)))
+    return tuple(variable(name).value for name in names)  # refuses what cannot be a name
+
+
+def components_of(formulas: Any, names: Sequence[str]) -> tuple[Node, ...]:
+    """The expressions of a germ's components, in variables of these names.
+
+    Args:
+        formulas: text, a `pathlib.Path` of a file that holds such text, or components: one or a sequence of
+            texts, sympy or symengine expressions, or dictionaries {exponents: coefficient}.
+        names: the source variables.
+
+    Raises FormulaError for what is none of these or has no component, and for a file that cannot be read;
+    DomainError for exponents or coefficients that are none.
+
+    >>> print(*components_of([{(1, 0): 1}, {(1, 1): 1, (0, 3): Fraction(1, 2)}], ("x", "y")))
+    x x*y + 1/2*y**3
+    """
+    if isinstance(formulas, str):
+        return parse_tuple(formulas, names)
+    if isinstance(formulas, Path):
+        return parse_tuple(text_of(formulas), names, FILE)
+    parts = [formulas] if isinstance(formulas, Mapping) else _parts(formulas)
+    if not parts:
+        raise FormulaError("The germ has no component: give at least one formula, such as x**2.")
+    return tuple(_component(part, names) for part in parts)
+
+
+def text_of(file: Path) -> str:
+    """The text of a file of formulas; FormulaError if it cannot be read, is too large or no text.
+
+    >>> text_of(Path("no such file"))
+    Traceback (most recent call last):
+    osculant.cas.errors.FormulaError: The file no such file cannot be read: No such file or directory.
+    """
+    shown = str(file).encode("utf-8", "backslashreplace").decode("utf-8")
+    try:
+        with file.open("rb") as stream:
+            found = stream.read(FILE.characters + 1)
+    except (OSError, ValueError) as error:  # a name with a zero byte is a ValueError
+        raise FormulaError(
+            f"The file {shown} cannot be read: {getattr(error, 'strerror', None) or error}."
+        ) from None
+    if len(found) > FILE.characters:
+        raise FormulaError(
+            f"The file {shown} is too large: a file of formulas has at most {FILE.characters} bytes."
+        )
+    try:
+        text = found.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:
+        raise FormulaError(f"The file {shown} is no text: it must hold formulas, such as x, x*y + y^3.")
+    if not text.strip():
+        raise FormulaError(f"The file {shown} is empty: it must hold formulas, such as x, x*y + y^3.")
+    return text
+
+
+def point_of(at: Any) -> tuple[Fraction, ...]:
+    """The exact coordinates of a point, from text such as ``"1, -1/2"`` or from a sequence of numbers.
+
+    Raises FormulaError for text that is no formula, DomainError for coordinates that are not rational, floats
+    among them: their digits may not be meant.
+
+    >>> point_of("1, -1/2") == point_of([1, Fraction(-1, 2)])
+    True
+    """
+    parts = list(parse_tuple(at, ())) if isinstance(at, str) else _parts(at)
+    return tuple(_rational(parse_constant(part) if isinstance(part, str) else part) for part in parts)
+
+
+def _rational(coordinate: Any) -> Fraction:
+    value = coordinate
+    if isinstance(coordinate, Node):
+        value = coordinate.value if coordinate.kind == "number" else None
+    elif getattr(coordinate, "is_Rational", False):  # of sympy
+        value = Fraction(int(coordinate.p), int(coordinate.q))
+    if not isinstance(value, (int, Fraction)) or isinstance(value, bool):
+        raise DomainError(
+            f"at: the coordinate {coordinate} is no exact rational number: give one such as 1/2.",
+            argument="at",
+        )
+    return Fraction(value)
+
+
+def _component(part: Any, names: Sequence[str]) -> Node:
+    if isinstance(part, str):
+        return parse(part, names)
+    if isinstance(part, Mapping):
+        return _polynomial(part, names)
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
+    return from_sympy(part)
+
+
+def _polynomial(coefficients: Mapping[Any, Any], names: Sequence[str]) -> Node:
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
+    n = len(names)
+    found: poly.Polynomial = {}
+    for exponents, coefficient in coefficients.items():
+        whole = isinstance(exponents, tuple) and all(type(e) is int and e >= 0 for e in exponents)
+        if not whole or len(exponents) != n or sum(exponents) > poly.LARGEST:
+            raise DomainError(
+                f"The exponents {exponents!r} of a coefficient are none: give a tuple of {n} whole numbers "
+                f"of at least 0 and a sum of at most {poly.LARGEST}."
+            )
+        node = from_sympy(coefficient)
+        if node.kind != "number":
+            raise DomainError(f"The coefficient {coefficient} of {exponents} is not rational.")
+        if node.value:
+            found[poly.monomial(exponents)] = node.value
+    return as_node(found, tuple(names))
+
+
+def _parts(given: Any) -> list[Any]:
+    try:
+        return list(given)
+    except TypeError:  # one expression
+        return [given]
