@@ -263,3 +263,22 @@ def test_random_germs(seeds):
             with pytest.raises(RejectedError):
                 check(data)
     assert decided >= 0.9 * len(seeds)
+
+
+@pytest.mark.parametrize("text", ["x**3 + 1e-400*x**2", "x**3+0.99999999999999999999*x**2-x**2"])
+def test_decimals_are_read_exactly(text):
+    told = certificate_file(germ("x^3", "x"))
+    with pytest.raises(RejectedError):
+        check({**told, "components": [text]})
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("x^2/1234567890123456789 + y^3", "x y"),
+        ("x^2/2147483647 + y^3", "x y"),
+        ("x^2 + lambda^3", "x lambda"),
+    ],
+)
+def test_large_denominators_and_names_that_python_reserves(text, names):
+    assert len(check(certificate_file(germ(text, names)))) == 4
