@@ -12,7 +12,7 @@ from itertools import combinations_with_replacement
 from math import comb, isqrt, lcm
 from typing import Any
 
-from osculant.certificates.check_text import RejectedError, Work, parsed, require
+from osculant.certificates.check_text import RejectedError, parsed, require, spend
 
 Exponents = tuple[int, ...]
 Polynomial = dict[Exponents, Fraction]
@@ -46,7 +46,7 @@ def times(a: Polynomial, b: Polynomial, order: int | None = None) -> Polynomial:
     >>> times({(1,): Fraction(1)}, {(2,): Fraction(3)}) == {(3,): Fraction(3)}
     True
     """
-    Work.spend(len(a) * len(b))
+    spend(len(a) * len(b))
     found: Polynomial = {}
     for m, c in a.items():
         room = None if order is None else order - sum(m)
@@ -91,7 +91,7 @@ def monomials(n: int, order: int, weights: Sequence[int] = ()) -> list[Exponents
     """All exponents of degree, or weight, at most ``order``."""
     require(isinstance(order, int) and order >= 0, f"{str(order)[:60]!r} is no order of jets")
     if not weights:
-        Work.spend(n * comb(n + order, n))
+        spend(n * comb(n + order, n))
         return [
             tuple(chosen.count(i) for i in range(n))
             for d in range(order + 1)
@@ -99,7 +99,7 @@ def monomials(n: int, order: int, weights: Sequence[int] = ()) -> list[Exponents
         ]
     found: list[Exponents] = [()]
     for i in range(n):
-        Work.spend(len(found) * (order // weights[i] + 1))
+        spend(len(found) * (order // weights[i] + 1))
         found = [
             (*m, e) for m in found for e in range(order // weights[i] + 1) if weigh((*m, e), weights) <= order
         ]
@@ -133,7 +133,7 @@ def pivots(rows: Iterable[Mapping[int, Any]], prime: int | None = None) -> set[i
                 }
                 break
             factor = row[lead]
-            Work.spend(len(found[lead]))
+            spend(len(found[lead]))
             for c, v in found[lead].items():
                 value = row.get(c, 0) - factor * v
                 value = value if prime is None else value % prime

@@ -5,7 +5,9 @@ from __future__ import annotations
 import ast
 import keyword
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from fractions import Fraction
 from typing import Any
 
@@ -30,21 +32,30 @@ def require(condition: bool, complaint: str) -> None:
         raise RejectedError(complaint)
 
 
-class Work:
-    """What checking one certificate may still take."""
+#: what the certificate that is being checked may still take, if there is a bound
+_left: ContextVar[list[int] | None] = ContextVar("_left", default=None)
 
-    left = WORK
 
-    @classmethod
-    def begin(cls) -> None:
-        """A new certificate."""
-        cls.left = WORK
+@contextmanager
+def limited(work: int = WORK) -> Iterator[None]:
+    """A block that may take so much: beyond that `spend` rejects.
 
-    @classmethod
-    def spend(cls, amount: int) -> None:
-        """Raises RejectedError if so much more is too much."""
-        cls.left -= amount
-        require(cls.left >= 0, "it takes more work than the checker does")
+    >>> with limited(2):
+    ...     spend(2)
+    """
+    token = _left.set([work])
+    try:
+        yield
+    finally:
+        _left.reset(token)
+
+
+def spend(amount: int) -> None:
+    """Count what is about to be done; RejectedError if the block `limited` does not allow so much more."""
+    left = _left.get()
+    if left is not None:
+        left[0] -= amount
+        require(left[0] >= 0, "it takes more work than the checker does")
 
 
 def parsed(text: Any, names: Sequence[str]) -> ast.expr:
@@ -59,8 +70,8 @@ def parsed(text: Any, names: Sequence[str]) -> ast.expr:
     pieces, at, text = list[str](), 0, text.strip()
     while at < len(text):
         found = TOKEN.match(text, at)
-        require(found is not None, f"{text[:60]!r} is no formula")
-        assert found is not None
+        if found is None:
+            raise RejectedError(f"{text[:60]!r} is no formula")
         at = found.end()
         if found["number"]:
             value = _decimal(found["number"])
@@ -81,9 +92,9 @@ def parsed(text: Any, names: Sequence[str]) -> ast.expr:
 
 def _decimal(written: str) -> Fraction:
     """A number as it is written, exactly."""
-    size = re.search(r"[eE]([+-]?\d{1,9})$", written)
     require(len(written) <= DIGITS, "a number with too many digits")
-    require("e" not in written.lower() or bool(size and abs(int(size[1])) <= EXPONENT), "a number too large")
+    exponent = written.lower().partition("e")[2]
+    require(abs(int(exponent or 0)) <= EXPONENT, "a number too large")
     return Fraction(written)
 
 

@@ -25,7 +25,7 @@ from osculant.certificates.check_tangents import (
     annihilated,
     spanning,
 )
-from osculant.certificates.check_text import RejectedError, Work, rational, require
+from osculant.certificates.check_text import RejectedError, limited, rational, require
 
 #: bytes of a certificate file at most
 LARGEST = 50_000_000
@@ -66,9 +66,9 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
         data.get("version") == 1 and data["version"] is not True,
         f"the version {data.get('version')!r} of the file is not known",
     )
-    Work.begin()
     try:
-        return _germ(data)
+        with limited():
+            return _germ(data)
     except RejectedError:
         raise
     except (

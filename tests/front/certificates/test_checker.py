@@ -12,7 +12,7 @@ import pytest
 
 import osculant as osc
 from osculant.certificates.check_algebra import read, taylor
-from osculant.certificates.check_text import RejectedError
+from osculant.certificates.check_text import RejectedError, limited
 from osculant.certificates.checker import check
 from osculant.germs.map_germ import germ
 from osculant.germs.report import certificate_file
@@ -282,3 +282,9 @@ def test_decimals_are_read_exactly(text):
 )
 def test_large_denominators_and_names_that_python_reserves(text, names):
     assert len(check(certificate_file(germ(text, names)))) == 4
+
+
+def test_work_is_bounded_for_one_certificate_and_not_for_all():
+    with pytest.raises(RejectedError, match="more work"), limited(10):
+        read("(x + y)^9", ["x", "y"])
+    assert len(read("(x + y)^9", ["x", "y"])) == 10
