@@ -31,8 +31,12 @@ def map_latex(name: str, components: Sequence[Node], source: Sequence[str]) -> s
 
 def vector_latex(components: Sequence[Node]) -> str:
     """A vector of expressions, or one expression without parentheses; FormulaError as for `map_latex`."""
-    if len(topological(components)) > MOST:
-        raise FormulaError(f"LaTeX is written of germs of at most {MOST} operations: leave out --latex.")
+    operations = len(topological(components))
+    if operations > MOST:
+        raise FormulaError(
+            f"LaTeX is written of germs of at most {MOST} operations, and this one has {operations}: "
+            "ask for text or JSON."
+        )
     from sympy import latex
 
     from osculant.cas.formulas.sympy_bridge import to_sympy

@@ -134,7 +134,7 @@ def test_latex_is_balanced(formula, source, group):
 
 def test_latex_of_a_huge_germ_is_refused():
     g = germ([{(k, j): 1 for k in range(1, 40) for j in range(60)}], "x y")
-    with pytest.raises(FormulaError, match="at most 2000 operations: leave out --latex"):
+    with pytest.raises(FormulaError, match=r"at most 2000 operations, and this one has [0-9]+: ask for text"):
         list(report_latex(g, {}))
 
 
