@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, TypeAlias
 
-from osculant.cas.errors import DomainError, UndecidedError
+from osculant.cas.errors import DomainError, ToleranceError, UndecidedError
 from osculant.certificates.splines import Certificate, certify
 from osculant.files.facts import Facts
 from osculant.files.figures import DRAWN_POINTS, draw
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 #: whether a number of pieces is the least among splines with knots at the split points whose pieces are
 #: tangent to the curve at both ends and each lie over a strictly convex arc
 Minimal: TypeAlias = Literal["proved", "by theory", "unknown"]
+#: errors are measured to this part of the tolerance
+MEASURED = 1e-6
 
 
 class CurveText(Protocol):
@@ -227,6 +229,7 @@ class Spline:
         Raises:
             DomainError: the metric "area" or a curve in space, for which there are no certificates; a curve
                 without formula.
+            ToleranceError: an error is proved to be beyond the tolerance, by more than `MEASURED` of it.
 
         >>> import osculant as osc
         >>> spline = osc.approximate(osc.curve("t*cos(t), t*sin(t)", "pi/6", "2*pi"), "conic", 1e-4)
@@ -240,6 +243,11 @@ class Spline:
                     f"Errors in the metric {self.metric!r} cannot be certified: choose 'hausdorff'."
                 )
             proof = certify(self.curve, self.pieces, self.tolerance, progress)
+            if self.given == "tolerance" and proof.lower > (1 + MEASURED) * self.tolerance:
+                raise ToleranceError(
+                    f"The error is proved to be at least {proof.lower:.7g}, beyond the tolerance "
+                    f"{self.tolerance:.7g}, though {self.error:.7g} was found: ask for a smaller tolerance."
+                )
             object.__setattr__(self, "certificate", proof)  # frozen to all others
             return proof
         return self.certificate

@@ -87,6 +87,32 @@ def goes_along(ends: Ends, a0: float, a3: float, low: float, high: float, tx: fl
 
 
 @kernel
+def bends_little(ends: Ends, a0: float, a3: float, low: float, high: float, cosine: float) -> bool:
+    """Whether B′ turns between two parameters by no more than an angle below a right one, given its cosine.
+
+    It is so if its three Bernstein coefficients there do not.
+    """
+    x0, y0, x2, y2 = a0 * ends.tx0, a0 * ends.ty0, a3 * ends.tx3, a3 * ends.ty3
+    x1, y1 = ends.dx - x0 - x2, ends.dy - y0 - y2
+    lx0, ly0, lx1, ly1 = mixed(x0, x1, low), mixed(y0, y1, low), mixed(x1, x2, low), mixed(y1, y2, low)
+    hx0, hy0, hx1, hy1 = mixed(x0, x1, high), mixed(y0, y1, high), mixed(x1, x2, high), mixed(y1, y2, high)
+    px, py, qx, qy = mixed(lx0, lx1, low), mixed(ly0, ly1, low), mixed(lx0, lx1, high), mixed(ly0, ly1, high)
+    rx, ry = mixed(hx0, hx1, high), mixed(hy0, hy1, high)
+    p, q, r = math.sqrt(px * px + py * py), math.sqrt(qx * qx + qy * qy), math.sqrt(rx * rx + ry * ry)
+    return (
+        px * qx + py * qy >= cosine * p * q
+        and qx * rx + qy * ry >= cosine * q * r
+        and px * rx + py * ry >= cosine * p * r
+    )
+
+
+@kernel
+def mixed(first: float, last: float, u: float) -> float:
+    """The number between two in the ratio u."""
+    return (1.0 - u) * first + u * last
+
+
+@kernel
 def see(ends: Ends, a0: float, a3: float, at: Sample, guess: float) -> Seen:
     """The cubic with these arms from a sample of the curve, the foot being sought from a guess."""
     rx, ry = at.x - ends.x, at.y - ends.y

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from osculant.kernels.course import spot, spots
-from osculant.kernels.cubics.arms import BEYOND, Ends, Seen, goes_along, see
+from osculant.kernels.cubics.arms import BEYOND, Ends, Seen, bends_little, goes_along, see
 from osculant.kernels.cubics.roots import COLUMNS as POLYNOMIAL
 from osculant.kernels.cubics.starts import MOST
 from osculant.kernels.curves.peaks import MARGIN, cubic_peak
@@ -20,7 +20,7 @@ ROWS, COLUMNS = 800, 12
 TIME, FOOT, D, SLOPE, BY0, BY3 = 6, 7, 8, 9, 10, 11
 #: peaks at most, and what each has: place, displacement, derivatives by the arms
 PEAKS, PEAK_COLUMNS = 48, 4
-#: neighbouring samples whose tangents differ by more than this angle are too far apart
+#: neighbouring samples whose tangents, or the cubic's there, differ by more than this angle are too far apart
 LARGEST_TURN = 0.35
 #: visits of one peak, and the relative correction of its height that ends them
 VISITS, SETTLED = 8.0, 1e-7
@@ -66,15 +66,20 @@ def look(source: Source, a: float, b: float, ends: Ends, points: int, samples: n
         for i in range(count):
             t = spot(source.course, at, i + 1)
             here = sample(source, t)
-            row = samples[i]
-            for j, value in enumerate(here):
-                row[j] = value
-            row[TIME] = t
+            note(samples[i], t, here)
             fine = fine and tx * here.tx + ty * here.ty >= cosine
             tx, ty = here.tx, here.ty
         if fine and tx * ends.tx3 + ty * ends.ty3 >= cosine:
             return count
         points = 2 * count + 1
+
+
+@kernel
+def note(row: np.ndarray[Any, Any], t: float, at: Sample) -> None:
+    """Write a sample into a row."""
+    for j, value in enumerate(at):
+        row[j] = value
+    row[TIME] = t
 
 
 @kernel
@@ -97,6 +102,39 @@ def trace(ends: Ends, a0: float, a3: float, samples: np.ndarray[Any, Any], count
         foot = seen.foot
         row[FOOT], row[D], row[SLOPE], row[BY0], row[BY3] = seen.foot, seen.d, seen.slope, seen.by0, seen.by3
     return goes_along(ends, a0, a3, foot, 1.0, ends.tx3, ends.ty3)
+
+
+@kernel
+def look_closer(
+    source: Source, a: float, b: float, ends: Ends, a0: float, a3: float, count: int,
+    samples: np.ndarray[Any, Any],
+) -> int:  # fmt: skip
+    """Add samples, after `trace`, where the cubic turns between two as the curve does not, and see it again.
+
+    A curve bent more closely than the cubic is far off sees much of that from a few of its points: peaks
+    between them would be missed.  Returns how many samples there are; −1 if it takes too many, or the cubic
+    does not go along.
+    """
+    cosine = math.cos(LARGEST_TURN)
+    while True:
+        before, t1, u1 = count, b, 1.0
+        for i in range(count, -1, -1):  # backwards, as samples are added behind
+            t0, u0 = a, 0.0
+            if i > 0:
+                t0, u0 = samples[i - 1, TIME], samples[i - 1, FOOT]
+            if not bends_little(ends, a0, a3, u0, u1, cosine):
+                middle = 0.5 * (t0 + t1)
+                if count == samples.shape[0] or not t0 < middle < t1:
+                    return -1
+                for j in range(count, i, -1):
+                    samples[j] = samples[j - 1]
+                note(samples[i], middle, sample(source, middle))
+                count += 1
+            t1, u1 = t0, u0
+        if count == before:
+            return count
+        if not trace(ends, a0, a3, samples, count):
+            return -1
 
 
 @kernel
@@ -178,6 +216,9 @@ def measure(
     """
     count = look(source, a, b, ends, points, space.samples)
     if count < 0 or not trace(ends, a0, a3, space.samples, count):
+        return math.inf
+    count = look_closer(source, a, b, ends, a0, a3, count, space.samples)
+    if count < 0:
         return math.inf
     top, _ = peaks_of(source, a, b, ends, a0, a3, count, space, VISITS)
     return 0.0 if top <= ITSELF * source.place.noise else top

@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from mpmath import mpf
 
 import osculant as osc
-from osculant.cas.errors import DomainError
+from osculant.cas.errors import DomainError, ToleranceError
 from osculant.certificates.splines import certify
 from osculant.curves.plane import PlaneCurve
 from osculant.pieces.conics import Piece
@@ -260,10 +260,15 @@ def test_without_a_series_there_is_a_reason_and_no_bound():
 
 def test_a_bound_above_the_tolerance_says_so():
     spline = osc.approximate(osc.curve("t, exp(t)", 0, 1), "biarc", 1e-4)
-    proof = replace(spline, tolerance=1e-6).certify()
+    proof = certify(spline.curve, spline.pieces, 1e-6)
     assert not proof.within
     assert proof.lower > 1e-6
     assert proof.to_json()["within"] is False
+    narrower = replace(spline, tolerance=1e-6)
+    with pytest.raises(ToleranceError, match=r"proved to be at least [0-9.e-]+, beyond the tolerance 1e-06"):
+        narrower.certify()
+    assert narrower.certificate is None
+    assert not replace(spline, tolerance=1e-6, given="pieces").certify().within
 
 
 def test_a_certificate_is_remembered_and_written():
