@@ -3,7 +3,8 @@
 `compile_jet` prints the straight-line program as LLVM IR and hands it to llvmlite.  What comes back
 is a `CompiledJet`, which owns its code and gives kernels a plain address of type
 ``void(double t, double *out)``; ``out`` receives the derivatives of the first formula, then those of
-the second, and so on.
+the second, and so on.  Where doubles overflow on the way to a moderate number, as 1/cosh(1000·t) does, the
+code asks balls.
 """
 
 from __future__ import annotations
@@ -24,6 +25,12 @@ from osculant.cas.formulas.expression import Node
 from osculant.cas.numbers.taylor import Program, program
 
 _DOUBLE = ir.DoubleType()
+#: operations by which a value may be moderate though another on the way is beyond doubles
+_OVERFLOWING = {"exp", "sinh", "cosh", "power", "div"}
+#: bits of the balls that are asked then
+_BITS = 128
+#: what is asked: ``void(double t, double *out)``
+_CALLBACK = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
 _LOCK = threading.Lock()
 
 
@@ -53,9 +60,14 @@ def _as_double(value: Fraction) -> float:
 
 
 class _Printer:
-    """Prints one program as the body of an LLVM function."""
+    """Prints one program as the body of an LLVM function.
 
-    def __init__(self, compiled: Program) -> None:
+    Args:
+        compiled: the program.
+        instead: the address of a function that is called where a value is not finite, if there is one.
+    """
+
+    def __init__(self, compiled: Program, instead: int | None) -> None:
         self.module = ir.Module(name="jet")
         signature = ir.FunctionType(ir.VoidType(), (_DOUBLE, _DOUBLE.as_pointer()))
         function = ir.Function(self.module, signature, name="jet")
@@ -74,6 +86,14 @@ class _Printer:
                 slot = self.builder.gep(out, [ir.Constant(ir.IntType(64), place)])
                 self.builder.store(values[index], slot)
                 place += 1
+        if instead is not None:
+            total = values[compiled.outputs[0][0]]
+            for index in [index for output in compiled.outputs for index in output][1:]:
+                total = self.builder.fadd(total, values[index])
+            nothing = self.builder.fsub(total, total)  # NaN unless all are finite
+            with self.builder.if_then(self.builder.fcmp_unordered("uno", nothing, nothing), likely=False):
+                address = ir.Constant(ir.IntType(64), instead)
+                self.builder.call(self.builder.inttoptr(address, function.type), [t, out])
         self.builder.ret_void()
 
     def value(self, op: str, value: Fraction | str | None, args: list[Any]) -> Any:
@@ -119,6 +139,24 @@ def _bind_libm(names: Sequence[str]) -> None:
         llvm.add_symbol(name, ctypes.cast(getattr(library, name), ctypes.c_void_p).value)
 
 
+def _in_balls(compiled: Program) -> Any:
+    """A C function that evaluates a program in balls; NaN where they are not finite."""
+    from flint import arb
+
+    from osculant.cas.numbers.balls import precision
+    from osculant.cas.numbers.fields import Balls
+
+    field = Balls()
+
+    def evaluate(t: float, out: Any) -> None:
+        with precision(_BITS):
+            values = [value for row in compiled.run(arb(t), field) for value in row]
+        for place, value in enumerate(values):
+            out[place] = float(value.mid()) if value.is_finite() else math.nan
+
+    return _CALLBACK(evaluate)
+
+
 class CompiledJet:
     """Machine code for the derivatives 0…order of some formulas; the code lives as long as this.
 
@@ -128,7 +166,10 @@ class CompiledJet:
 
     def __init__(self, formulas: Sequence[Node], order: int, variable: str = "t") -> None:
         compiled = program(formulas, order, variable)
-        printer = _Printer(compiled)
+        overflowing = any(_OVERFLOWING & {step.op, step.value} for step in compiled.instructions)
+        #: kept as long as the code that calls it
+        self._instead = _in_balls(compiled) if overflowing else None
+        printer = _Printer(compiled, self._instead and ctypes.cast(self._instead, ctypes.c_void_p).value)
         self.order = order
         self.formulas = len(formulas)
         self.size = self.formulas * (order + 1)

@@ -47,20 +47,26 @@ def polynomial_parts(curve: FormulaBalls[Any], low: float, high: float, accuracy
     >>> narrowest[0] < 1e-5, abs(narrowest[1] - 1 / 3) < 1e-4, len(edges) < 200
     (True, True, True)
     """
-    edges = {low + (high - low) * i / FIRST for i in range(FIRST)} | {high}
+    return [edge for edge, _ in levels(curve, low, high, accuracy)]
+
+
+def levels(curve: FormulaBalls[Any], low: float, high: float, accuracy: float) -> list[tuple[float, float]]:
+    """(edge, accuracy below which it is one) of `polynomial_parts` for all accuracies down to one."""
+    edges = dict.fromkeys([*(low + (high - low) * i / FIRST for i in range(FIRST)), high], math.inf)
     least = NARROWEST * (high - low)
-    pending = deque(pairwise(sorted(edges)))
+    pending = deque((a, b, math.inf) for a, b in pairwise(edges))
     with precision(BITS):
         for _ in range(WORK_LIMIT):
             if not pending:
                 break
-            a, b = pending.popleft()
+            a, b, level = pending.popleft()
             middle, half = 0.5 * (a + b), 0.5 * (b - a)
-            if half < least or not a < middle < b or clearness(curve, middle, half) <= accuracy:
+            level = min(level, clearness(curve, middle, half))
+            if half < least or not a < middle < b or level <= accuracy:
                 continue
-            edges.add(middle)
-            pending += [(a, middle), (middle, b)]
-    return sorted(edges)
+            edges[middle] = level
+            pending += [(a, middle, level), (middle, b, level)]
+    return sorted(edges.items())
 
 
 def clearness(curve: FormulaBalls[Any], middle: float, half: float) -> float:

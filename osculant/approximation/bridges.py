@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -41,7 +42,7 @@ class Bridge(Segments):
         start, end = self.stretch.start, self.stretch.end
         chord = np.subtract(end.point, start.point)
         ahead = float(chord @ np.array(start.tangent))
-        return start.tangent == end.tangent and ahead >= ALONG * float(np.linalg.norm(chord))
+        return start.tangent == end.tangent and ahead >= ALONG * math.hypot(*chord)
 
     @cached_property
     def least(self) -> int:
@@ -66,7 +67,7 @@ class Bridge(Segments):
     def _size(self) -> float:
         """The diagonal of the box around the pieces."""
         corners = np.array([piece.bounding_box() for piece in self._made])
-        return float(np.linalg.norm(corners[:, 1].max(axis=0) - corners[:, 0].min(axis=0)))
+        return math.hypot(*(corners[:, 1].max(axis=0) - corners[:, 0].min(axis=0)))
 
     def _bridge(self, error: float) -> list[Any]:
         bridge, start, end = self.fit.primitive.bridge, self.stretch.start, self.stretch.end

@@ -170,7 +170,7 @@ def crowded(curve: FormulaCurve, runs: Sequence[Run], extent: float) -> list[flo
     for run in runs:
         points, first = curve.jets(run.knots)[:, :, 0], 0
         while first + CROWD < len(points):
-            away = np.linalg.norm(points[first:] - points[first], axis=1) > extent / 2
+            away = np.hypot.reduce(points[first:] - points[first], axis=1) > extent / 2
             last = first + int(np.argmax(away) if away.any() else len(away)) - 1
             if last - first >= CROWD:
                 found += [float(run.knots[first]), float(run.knots[last])]
@@ -298,7 +298,10 @@ def width(curve: FormulaCurve, most: float = math.inf) -> float:
         first = split([[part] for part in start])[1:]
         for part in PROBES:
             rows = curve.balls.coefficients(low + (high - low) * part, 0)
-            if sum(((at - origin) ** 2 for [at], [origin] in zip(split(rows)[1:], first)), arb(0)) > most**2:
+            if (
+                sum(((at - origin) ** 2 for [at], [origin] in zip(split(rows)[1:], first)), arb(0))
+                > arb(most) ** 2
+            ):
                 return math.inf
         for (_, *across), (slope, *_) in _boxes(curve, low, high, FLAT_BOXES, split):
             back += (-slope).nonnegative_part().upper() * (high - low) / FLAT_BOXES

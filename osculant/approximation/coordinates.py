@@ -102,7 +102,7 @@ class Coordinates:
     def user_frame(self, t: float, place: Place) -> Frame:
         """The frame of the curve at t in the user's."""
         jet = self.curve.jets(np.array([t]))[0]
-        length = float(np.linalg.norm(jet[:, 1]))
+        length = math.hypot(*jet[:, 1])
         return Frame(tuple(jet[:, 0].tolist()), tuple((jet[:, 1] / length).tolist()))
 
 

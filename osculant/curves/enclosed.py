@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from osculant.cas.numbers.parts import FIRST, NARROWEST, ORDER, WORK_LIMIT
+from osculant.cas.numbers.parts import levels as levels_in_balls
 from osculant.curves.kept import kept
 
 if TYPE_CHECKING:
@@ -64,6 +65,8 @@ class Enclosed:
     def levels(self, low: float, high: float, accuracy: float) -> list[tuple[float, float]]:
         """(edge, accuracy below which it is one) of `parts` for all accuracies down to one.
 
+        Where doubles leave much unclear, as they overflow on the way, balls are asked for it all.
+
         >>> from osculant.cas.formulas.parser import parse_tuple
         >>> from osculant.cas.jets.balls import CurveBalls
         >>> curve = Enclosed(CurveBalls(parse_tuple("t, exp(t)")))
@@ -72,7 +75,9 @@ class Enclosed:
         True
         """
         begun = [low + (high - low) * i / FIRST for i in range(FIRST)] + [high]
-        new, _ = self._halved(begun, accuracy, NARROWEST * (high - low), WORK_LIMIT)
+        new, left = self._halved(begun, accuracy, NARROWEST * (high - low), WORK_LIMIT)
+        if left is None:
+            return levels_in_balls(self.curve, low, high, accuracy)
         return sorted([*((edge, math.inf) for edge in begun), *new])
 
     def _halved(

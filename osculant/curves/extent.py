@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: samples that tell the size of a curve
 SAMPLES = 257
+#: below this size doubles have no room for errors, nor for the scale that makes it 1
+SMALLEST = 2.0**-900
 
 
 @dataclass(frozen=True)
@@ -65,4 +67,6 @@ def extent(curve: FormulaCurve) -> Extent:
         size = float(np.ptp(points, axis=0).max())
     if not math.isfinite(size):
         raise DomainError(f"The curve {curve.text} is too large for double numbers: scale it.")
+    if 0.0 < size < SMALLEST:
+        raise DomainError(f"The curve {curve.text} is too small for double numbers: scale it.")
     return Extent(tuple((points[0] + 0.0).tolist()), float(np.abs(points).max()), size)

@@ -236,3 +236,32 @@ def test_another_variable():
     assert compile_jet([parse("u^2", ("u",))], 1, "u")(3.0).tolist() == [[9, 6]]
     with pytest.raises(FormulaError):
         compile_jet([parse("u^2", ("u",))], 1)
+
+
+# Overflow on the way.
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1/cosh(1000*t)",
+        "exp(1500*t)/(1 + exp(1500*t))",
+        "t/(1 + t^4000)",
+        "exp(900*t)*exp(-899*t)",
+        "sinh(800*t)^-2",
+    ],
+)
+@pytest.mark.parametrize("at", [0.9, 1.1, 1.5])
+def test_where_doubles_overflow_on_the_way_balls_are_asked(text, at):
+    """Against the program in 60 digits."""
+    compiled = program([parse(text)], 3)
+    with mpmath.workdps(60):
+        exact = compiled.run(mpmath.mpf(at), Multiprecision())[0]
+    for got, x in zip(compile_jet([parse(text)], 3)(at)[0], exact, strict=True):
+        assert float(got) == pytest.approx(float(x), rel=1e-12, abs=1e-300)
+
+
+def test_outside_the_domain_there_is_still_no_value():
+    jet = compile_jet([parse("exp(t)*log(t)")], 2)
+    assert np.isnan(jet(-1.0)).all()
+    assert math.isinf(compile_jet([parse("exp(t)")], 0)(1e3)[0, 0])

@@ -242,3 +242,16 @@ def test_many_turns_below_the_tolerance_are_passed_over_at_their_true_size(formu
     if primitive == "cubic":  # others may be unable to turn towards the end
         [(first, last, _)] = spline.bridged
         assert last - first > 250 and len(spline) < 120
+
+
+@pytest.mark.parametrize("primitive", ["conic", "biarc", "cubic"])
+def test_sizes_near_the_limits_of_doubles(primitive):
+    counts = set()
+    for size in ("1", "1e-260", "1e200", "1e300"):
+        curve = osc.curve(f"{size}*t, {size}*(t^3 + t^4)", -1, 1)
+        spline = osc.approximate(curve, primitive, float(size) * 1e-4)
+        assert spline.error <= float(size) * 1e-4
+        counts.add(len(spline))
+    assert len(counts) == 1
+    with pytest.raises(DomainError, match="too small for double numbers: scale it"):
+        osc.approximate(osc.curve("1e-310*t, 1e-310*t^3", -1, 1), primitive, 1e-314)
