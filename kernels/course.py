@@ -69,21 +69,21 @@ def lay_out(
             fine_turned = step * (rate + 4.0 * rate1 + 2.0 * rate2 + 4.0 * rate3 + end_rate) / 12.0
             fine = step * (speed + 4.0 * speed1 + 2.0 * speed2 + 4.0 * speed3 + end_speed) / 12.0
             agreed = (
-                (
-                    fine_turned <= TURN
-                    and abs(turned - fine_turned) <= AGREED * TURN
-                    and abs(length - fine) <= AGREED * fine
-                )
-                or fine <= curve.place.noise
-            )  # how a panel turns that doubles cannot tell from a point is no matter
+                fine_turned <= TURN
+                and abs(turned - fine_turned) <= AGREED * TURN
+                and abs(length - fine) <= AGREED * fine
+            )
+            hidden = fine <= curve.place.noise  # how what doubles cannot tell from a point turns is no matter
             wide = step > NARROWEST * (b - a) and middle > time and middle < end
-            if not agreed and open_ends <= DEPTH and wide:
+            if not (agreed or hidden) and open_ends <= DEPTH and wide:
                 new = pending[open_ends]
                 new[0], new[1], new[2] = middle, speed2, rate2
                 open_ends += 1
                 continue
             if count == course.shape[0]:
                 return -1
+            if hidden and not agreed and (time == a or end == b):
+                fine_turned = 0.0  # the limit tangents are given there, and rounding may show any others
             course[count, TIME] = end
             course[count, TURNED] = course[count - 1, TURNED] + (
                 fine_turned if fine_turned < math.inf else 0.0

@@ -102,6 +102,18 @@ def test_where_the_speed_is_0_the_course_goes_on(at, powers):
         assert course[-1, 1:] == pytest.approx([times * x for x in last], rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("at", "cusp"), [("1/3", 1 / 3), ("2*pi/3", 2 * math.pi / 3), ("2^(1/3)", 2 ** (1 / 3))]
+)
+@pytest.mark.parametrize("powers", [(2, 3), (3, 4), (2, 5)])
+def test_rounding_at_a_cusp_between_doubles_turns_nothing(at, cusp, powers):
+    text = ", ".join(f"(t-{at})^{power}" for power in powers)
+    last = math.atan2(powers[1], powers[0])
+    for a, b in ((cusp - 1.0, cusp), (cusp, cusp + 1.0)):
+        course = course_of(PLANE, jet_of(text), a, b, rows=400)
+        assert course[-1, 1] == pytest.approx(last, rel=1e-3)
+
+
 def test_what_does_not_fit_is_told():
     jet = jet_of(CIRCLE)
     whole = course_of(PLANE, jet, 0.0, 100.0)

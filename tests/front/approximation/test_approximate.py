@@ -216,6 +216,21 @@ def test_a_cusp_at_an_irrational_place_is_a_knot():
     assert any(abs(knot - 2 ** (1 / 3)) < 1e-9 for knot in spline.knots)
 
 
+@pytest.mark.parametrize("primitive", ["parabola", "conic", "biarc", "cubic", "polygon"])
+@pytest.mark.parametrize(
+    ("formula", "cusps"),
+    [
+        ("2*cos(t)+cos(2*t), 2*sin(t)-sin(2*t)", (2 * math.pi / 3, 4 * math.pi / 3)),
+        ("(t-1/3)^2, (t-1/3)^3", (1 / 3,)),
+        ("(t-1/3)^4, (t-1/3)^5", (1 / 3,)),
+    ],
+)
+def test_cusps_between_doubles_are_not_passed_over(formula, cusps, primitive):
+    for tolerance in (1e-2, 1e-4):
+        spline = osc.approximate(osc.curve(formula, 0, 6), primitive, tolerance)
+        assert not spline.bridged and set(cusps) <= set(spline.knots)
+
+
 def test_undecided_points_are_knots_and_spoil_the_claim(monkeypatch):
     monkeypatch.setattr("osculant.cas.zeros.isolate.WORK_LIMIT", 20)
     for limit in ("special.SOON", "special.LIMIT", "first_look.MOST"):

@@ -15,11 +15,15 @@ UNEVEN = ("t, 1/(1+25*t^2)", -1, 1)
 EIGHT = ("cos(t), sin(2*t)", "1/3", 5)
 CONE = ("t*cos(t), t*sin(t), t", "pi/6", "2*pi")
 TUBE = ("2*cos(t), sin(t), t/5", 1, 4)
+DELTOID = ("2*cos(t)+cos(2*t), 2*sin(t)-sin(2*t)", 0, "2*pi")
+CUSPS = ("(t-1/3)^3, (t-1/3)^4, (t-1/3)^5", -1, 1)
 TOLERANCES = (1e-2, 1e-4, 1e-7)
 
 #: curve, primitive, metric, rule
 CASES = [
     *((curve, "conic", "hausdorff", None) for curve in (SPIRAL, SINE, CUSP, UNEVEN)),
+    *((DELTOID, name, "hausdorff", None) for name in ("parabola", "conic", "biarc", "cubic", "polygon")),
+    *((CUSPS, name, "hausdorff", None) for name in ("bihelix", "polygon")),
     *((curve, "parabola", "hausdorff", None) for curve in (SPIRAL, SINE)),
     *((curve, "biarc", "hausdorff", None) for curve in (SPIRAL, EIGHT)),
     *((curve, "polygon", "hausdorff", None) for curve in (UNEVEN, CONE)),
