@@ -19,7 +19,7 @@ from osculant.compiled.library import Approximator, source
 from osculant.compiled.modules import module
 from osculant.compiled.numbers import Numbers, numbers
 from osculant.compiled.subject import Subject, subject
-from osculant.primitives.table import USUAL, choose
+from osculant.primitives.table import USUAL, choose, usual_first
 
 #: what may stand beside a library: "c" is headers and an example, "python" a module besides
 LANGUAGES = ("c", "python")
@@ -126,13 +126,16 @@ def compile_approximator(
     """
     about = subject(formulas, low, high, parameters, name, jet)
     check_split(split)
+    if primitive == "best":
+        raise DomainError(
+            "The best primitive is that for one tolerance, and a library is for all: choose one of "
+            f"{', '.join(usual_first(about.dimension))}; `osculant approximate --with best` tells which."
+        )
     fit = choose(
         primitive or USUAL[about.dimension], metric, rule, dimension=about.dimension, curve=about.text
     )
     if split_at and not about.fixed:
-        raise DomainError(
-            "Split points of a curve with free constants are given at run time: leave out split_at."
-        )
+        raise _splits_at_run_time(about)
     command = _command(name, language, cpu)
     known = numbers(about.curve, fit, split, split_at) if about.fixed else None
     wanted = Approximator(about, fit, split, known)
@@ -202,6 +205,20 @@ def compile_evaluator(
         f"{name}.py": wanted.module(title),
     }
     return _built(folder, name, texts, language, cpu, None)
+
+
+def _splits_at_run_time(about: Subject) -> DomainError:
+    """What to say of split points of a curve that is not known before run time."""
+    if about.coordinates is None:
+        why = "the curve is known at run time"
+    elif about.parameters:
+        why = f"the values of {' and '.join(about.parameters)} are known at run time"
+    else:
+        why = "the interval is known at run time, unless you give both ends"
+    return DomainError(
+        f"split_at is for a fixed curve, and here {why}, as split points are: leave it out.",
+        argument="split_at",
+    )
 
 
 def _command(name: str, language: str, cpu: str | None) -> str:

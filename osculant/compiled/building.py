@@ -13,8 +13,12 @@ from pathlib import Path
 
 from osculant.cas.errors import OsculantError
 
-#: what a compiler is told: to keep the operations of the source, in their order, and no errno
-FLAGS = ("-std=c11", "-O2", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden")
+#: what a compiler is told: to keep the operations of the source, in their order, and no errno; gcc 12,
+#: vectorising, makes fused operations of a product and a difference whatever they are told of contraction
+FLAGS = (
+    "-std=c11", "-O2", "-fno-tree-vectorize", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno",
+    "-fvisibility=hidden",
+)  # fmt: skip
 #: seconds that it may take
 PATIENCE = 300
 #: processors that can be named
@@ -65,6 +69,8 @@ def build(
     command, flags, target = compiler(), flags_for(cpu), Path(folder)
     library = f"lib{name}.so"
     made = not target.exists()
+    if not made and not target.is_dir():
+        raise OsculantError(f"{target} is no folder: name another, which is made if it is missing.")
     try:
         target.mkdir(exist_ok=True)
         for file in (*texts, library):

@@ -37,7 +37,7 @@ from osculant.kernels import jit, operations, prebuilt
 #: by the machine's kind, the processor that libraries are built for and what it must be able to do
 PROCESSORS = {"x86_64": ("x86-64-v3", ("avx", "avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe"))}
 #: what the fingerprint of a library says of how it was made
-COMPILER = "C 1"
+COMPILER = "C 2"
 HEAD = """\
 #include <math.h>
 #include <stdbool.h>
@@ -199,14 +199,28 @@ def build_all(folder: Path, wanted: Sequence[str], tell: Callable[[str], None]) 
 def main(arguments: Sequence[str]) -> int:
     """Build what is missing, into a folder, the package's if none is named; of the families named after it.
 
-    Returns the exit status. Where nothing can be built, a line says so, and numba will compile: no error.
+    Returns the exit status, 2 for arguments that make no sense. Where nothing can be built, a line says so,
+    and numba will compile: no error.
     """
+    known = families()
+    if arguments and arguments[0] in known:
+        return _refuse(
+            f"The folder comes first, and {arguments[0]} is a family: give {prebuilt.FOLDER} before it, or "
+            f"{os.path.join('.', arguments[0])} for a folder of that name."
+        )
+    if unknown := [family for family in arguments[1:] if family not in known]:
+        return _refuse(f"There is no family {unknown[0]!r} of kernels: name those of {', '.join(known)}.")
     folder = Path(arguments[0]) if arguments else prebuilt.FOLDER
     try:
-        build_all(folder, arguments[1:] or families(), _tell)
+        build_all(folder, arguments[1:] or known, _tell)
     except (OsculantError, OSError) as error:
         _tell(f"kernels will be compiled when they are first called. {error}")
     return 0
+
+
+def _refuse(sentence: str) -> int:
+    _tell(sentence)
+    return 2
 
 
 def _tell(line: str) -> None:

@@ -38,6 +38,11 @@ BAD = [
     (["t, t^2", "--out", "x", "--what", "distance", "--with", "conic"], "--with"),
     (["t, a*t", "--out", "x"], "'a' is unknown"),
     (["t, t^2", "--out", "x", "--from", "0"], "two ends"),
+    (["t, t^2", "--out", "x", "--split-at", "1"], "--split-at is for a fixed curve, and here the interval"),
+    (["t, a*t", "--out", "x", "--parameters", "a", "--split-at", "1"], "the values of a are"),
+    (["--jet", "plane", "--out", "x", "--split-at", "1"], "the curve is known at run time"),
+    (["t, t^2", "--out", "/dev/null"], "/dev/null is no folder"),
+    (["t, t^2", "--out", "x", "--with", "best"], "a library is for all: choose one of conic, parabola"),
 ]
 
 

@@ -23,7 +23,7 @@ from tests.front.compiled.fixed import needs_cc
 
 pytestmark = needs_cc
 
-FAMILIES = ["conics", "polygons", "curves", "enclosures"]
+FAMILIES = ["biarcs", "conics", "polygons", "curves", "enclosures"]
 SPIRAL = ("t*cos(t), t*sin(t)", "pi/6", "2*pi")
 
 #: approximates without the compilers; a folder of libraries, then the curve, primitive and tolerance
@@ -222,3 +222,26 @@ def test_a_wheel_has_libraries_and_needs_no_compiler(tmp_path):
         assert [float.fromhex(knot) for knot in knots.split()] == list(known.knots)
         assert "numba" not in loaded
     assert not (tmp_path / "cache").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"), [(["conics"], "The folder comes first"), (["made", "conix"], "no family 'conix'")]
+)
+def test_arguments_that_make_no_sense_are_told(tmp_path, monkeypatch, capsys, arguments, says):
+    monkeypatch.chdir(tmp_path)
+    assert building.main(arguments) == 2
+    assert says in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("primitive", ["biarc", "conic"])
+def test_for_one_processor_the_bits_are_those_for_any(libraries, tmp_path, primitive):
+    """Fused operations, which the first has, would change them."""
+    made = osc.compile_approximator(SPIRAL[0], primitive, *SPIRAL[1:], folder=tmp_path).load()
+    pieces = osc.approximate(osc.curve(*SPIRAL), primitive, 1e-5).pieces
+    own = [(piece.start, piece.end, piece.error) for piece in pieces]
+    found = made.approximate(1e-5)
+    names = ("x0", "y0", "x2", "y2", "error")
+    assert [((a, b), (c, d), error) for a, b, c, d, error in found[list(names)].tolist()] == own
+    if primitive == "biarc":
+        assert found[["x1", "y1"]].tolist() == [piece.junction for piece in pieces]
