@@ -11,9 +11,10 @@ from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.generated import forms
 from osculant.kernels.jit import kernel
 from osculant.kernels.operations import NOISE, ORIGIN, SCALE, dimension
+from osculant.kernels.standalone.cusps import add_cusps
 from osculant.kernels.standalone.pairs import Pair
-from osculant.kernels.standalone.precise import Jets, write_precise
-from osculant.kernels.standalone.special import NO_FORM, add_cusps, add_zeros, insert
+from osculant.kernels.standalone.precise import Jets, order_there, write_precise
+from osculant.kernels.standalone.special import NO_FORM, add_zeros, insert
 from osculant.kernels.standalone.stretches import DONE, FRAMES, SIDE, START, STOP, TOO_MUCH, UNDEFINED, WRONG
 
 #: samples that tell the size of a curve, as in `osculant.curves.extent`
@@ -84,29 +85,38 @@ def power_of_two(x: float) -> float:
 
 @kernel
 def write_frame(
-    fit: Any, jets: Jets, at: Pair, sign: float, slow: float, row: np.ndarray[Any, Any], first: int
-) -> bool:
+    fit: Any, jets: Jets, at: Pair, sign: float, extent: float, width: float, row: np.ndarray[Any, Any],
+    first: int,
+) -> bool:  # fmt: skip
     """Write the point and unit tangent at a parameter into a row, at a cusp that of the side ``sign``.
 
-    Returns False if there is none.
+    The curve is as large as ``extent``, on an interval so wide.  Returns False if there is no tangent.
     """
     n = dimension(fit)
     k = n + 1
     call_jet(jets.address, at.high, jets.jet)
-    for order in range(1, 3):
-        square = 0.0
-        for i in range(n):
-            square += jets.jet[k * i + order] ** 2
-        length = math.sqrt(square)
-        if length > (slow if order == 1 else 0.0) and length < math.inf:
-            for i in range(n):
-                row[first + i] = jets.jet[k * i]
-                tangent = jets.jet[k * i + order] / length
-                row[first + n + i] = tangent if order == 1 else sign * tangent
-            if jets.sure:
-                write_precise(fit, jets, at, order, 1.0 if order == 1 else sign, row, first)
-            return True
-    return False
+    order = 1
+    if not derivative_length(fit, jets.jet, 1) > SLOW * extent / width:
+        order = order_there(fit, jets, at, width) if jets.sure else 2
+    side = sign if order % 2 == 0 else 1.0
+    length = derivative_length(fit, jets.jet, min(order, 2))
+    if order == 0 or not (length < math.inf and (length > 0.0 or jets.sure)):
+        return False
+    for i in range(n):
+        row[first + i] = jets.jet[k * i]
+        row[first + n + i] = side * jets.jet[k * i + min(order, 2)] / length
+    if jets.sure:
+        write_precise(fit, jets, at, order, side, extent, row, first)
+    return True
+
+
+@kernel
+def derivative_length(fit: Any, jet: np.ndarray[Any, Any], order: int) -> float:
+    """The length of a derivative in a jet that kernels take."""
+    square = 0.0
+    for i in range(dimension(fit)):
+        square += jet[(dimension(fit) + 1) * i + order] ** 2
+    return math.sqrt(square)
 
 
 @kernel
@@ -146,15 +156,14 @@ def divided(
             count = add_zeros(fit, jets, other, 1, grid, points, count)
         if count < 0:
             return 0, TOO_MUCH
-    slow = SLOW * extent / (b - a)
     n = dimension(fit)
     start = low
     for i in range(count + 1):
         row = stretches[i]
         end = Pair(points[i, 0], points[i, 1]) if i < count else high
         row[START], row[STOP], row[SIDE] = start.high, end.high, 1.0
-        first = write_frame(fit, jets, start, 1.0, slow, row, FRAMES)
-        last = write_frame(fit, jets, end, -1.0, slow, row, FRAMES + 2 * n)
+        first = write_frame(fit, jets, start, 1.0, extent, b - a, row, FRAMES)
+        last = write_frame(fit, jets, end, -1.0, extent, b - a, row, FRAMES + 2 * n)
         if not (first and last):
             return 0, UNDEFINED
         if n == 2:

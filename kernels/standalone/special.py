@@ -1,9 +1,9 @@
-"""Special points of a curve in doubles: zeros of forms and cusps, for compiled approximators.
+"""Special points of a curve in doubles: zeros of forms, for compiled approximators.
 
 They are sought as sign changes of the forms that `osculant.cas.zeros` isolates, on a grid that knows the
 curve's features and is refined where a form comes near to 0.  Nothing is proved here: two zeros closer to
-each other than the finest grid are missed, and so are zeros without a change of sign.  Cusps are where the
-tangent turns back.
+each other than the finest grid are missed, and so are zeros without a change of sign.
+Changes of sign that rounding made, as it does near cusps, are told by pairs of doubles, if there are any.
 """
 
 from __future__ import annotations
@@ -16,9 +16,8 @@ import numpy as np
 from osculant.kernels.curves.jets import call_jet
 from osculant.kernels.generated import forms
 from osculant.kernels.jit import kernel
-from osculant.kernels.operations import dimension
 from osculant.kernels.standalone.pairs import Pair
-from osculant.kernels.standalone.precise import CUSP, Jets, polished
+from osculant.kernels.standalone.precise import TRUSTED, Jets, form_in_pairs, polished
 
 #: how often a panel of the grid is halved, and a form that falls below this part of its ends' in the middle
 #: may have zeros
@@ -94,6 +93,29 @@ def zero_between(jets: Jets, form: int, low: float, high: float, at_low: float) 
 
 
 @kernel
+def truly_changes(fit: Any, jets: Jets, which: int, low: float, high: float) -> bool:
+    """Whether a form changes its sign in pairs of doubles too, if there are any."""
+    if not jets.sure:
+        return True
+    return not form_in_pairs(fit, jets, which, low) * form_in_pairs(fit, jets, which, high) > 0.0
+
+
+@kernel
+def zero_in_pairs(fit: Any, jets: Jets, which: int, low: float, high: float) -> float:
+    """The change of a form's sign by bisection in pairs of doubles, where Newton's method does not settle."""
+    positive = form_in_pairs(fit, jets, which, low) > 0.0
+    for _ in range(STEPS):
+        middle = 0.5 * (low + high)
+        if not (middle > low and middle < high):
+            break
+        if (form_in_pairs(fit, jets, which, middle) > 0.0) == positive:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+@kernel
 def insert(points: np.ndarray[Any, Any], count: int, at: Pair, low: float, high: float) -> int:
     """Put a parameter where it belongs among the first increasing ``points``; the new number, −1 if too many.
 
@@ -147,65 +169,15 @@ def add_zeros(
                 pending[open_ends - 1, 2] = depth + 1.0
                 open_ends += 1
                 continue
-            if changes:
+            if changes and truly_changes(fit, jets, which, before, t):
                 zero = zero_between(jets, form, before, t, at_before)
-                count = insert(points, count, polished(fit, jets, which, zero, high - low), low, high)
+                point, settled = polished(fit, jets, which, 0, zero, TRUSTED * (high - low))
+                if jets.sure and not settled:
+                    point = Pair(zero_in_pairs(fit, jets, which, before, t), 0.0)
+                count = insert(points, count, point, low, high)
                 if count < 0:
                     return -1
             if value != 0.0 or at_before == 0.0:  # a sign that is not told is left to the next place
                 before, at_before = t, value
             open_ends -= 1
-    return count
-
-
-@kernel
-def along(fit: Any, jets: Jets, t: float, velocity: np.ndarray[Any, Any]) -> float:
-    """Write α̇ at t into ``velocity``; returns its length."""
-    k = dimension(fit) + 1
-    call_jet(jets.address, t, jets.jet)
-    square = 0.0
-    for i in range(dimension(fit)):
-        velocity[i] = jets.jet[k * i + 1]
-        square += velocity[i] * velocity[i]
-    return math.sqrt(square)
-
-
-@kernel
-def turns_back(fit: Any, first: np.ndarray[Any, Any], last: np.ndarray[Any, Any]) -> bool:
-    """Whether two velocities point to opposite sides."""
-    total = 0.0
-    for i in range(dimension(fit)):
-        total += first[i] * last[i]
-    return total < 0.0
-
-
-@kernel
-def add_cusps(
-    fit: Any, jets: Jets, grid: np.ndarray[Any, Any], points: np.ndarray[Any, Any], count: int
-) -> int:
-    """Add the places where the tangent turns back all at once; their new number, −1 if there are too many."""
-    first, last, middle = np.empty(3), np.empty(3), np.empty(3)
-    panels = grid.shape[0] - 1
-    low, high = grid[0, 0], grid[panels, 0]
-    for i in range(1, panels + 1):
-        a, b = grid[i - 1, 0], grid[i, 0]
-        along(fit, jets, a, first)
-        along(fit, jets, b, last)
-        for _ in range(STEPS):
-            t = 0.5 * (a + b)
-            if not turns_back(fit, first, last) or not (t > a and t < b):
-                break
-            along(fit, jets, t, middle)
-            before = turns_back(fit, first, middle)
-            for j in range(dimension(fit)):
-                if before:
-                    last[j] = middle[j]
-                else:
-                    first[j] = middle[j]
-            a, b = (a, t) if before else (t, b)
-        if turns_back(fit, first, last):
-            cusp = polished(fit, jets, CUSP, 0.5 * (a + b), high - low)
-            count = insert(points, count, cusp, low, high)
-            if count < 0:
-                return -1
     return count

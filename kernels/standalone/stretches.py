@@ -38,7 +38,7 @@ DONE, FULL, BELOW, UNDEFINED, STUCK, TOO_MUCH, WRONG, TOO_FEW = 0, 1, 2, 3, 4, 5
 #: columns of a stretch: its ends, the side to which it bends, then the frames at both ends
 START, STOP, SIDE, FRAMES = 0, 1, 2, 3
 #: pieces after which the search begins anew, as in `osculant.approximation.arcs`; the most there can be
-CHUNK, MOST_PIECES = 4096, 5_000_000
+CHUNK, MOST_PIECES = 4096, 20_000_000
 #: rows of a stretch's course, edges of panels, and columns of a row at most
 COURSE, EDGES, COLUMNS = 4096, 2048, 48
 #: rounds of the search for a number of pieces with areas, and for the level of a given number

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 #: pieces per call of the kernel
 CHUNK = 4096
 #: more pieces than this are not made
-MOST_PIECES = 5_000_000
+MOST_PIECES = 20_000_000
 #: rows of a stretch's course at first
 COURSE = 1024
 #: panels per piece, and of all, that tell the content of a stretch

@@ -253,7 +253,7 @@ def _free_call(wanted: Approximator, entry: str, outcome: str, tolerant: bool) -
     if subject.ends is not None:
         ends = ", ".join(repr(part) for which in (0, 1) for part in parts_of_end(subject, which))
     form, other = wanted.forms
-    sought = "tolerance, 0" if tolerant else "0.0, number < 5000000 ? (int64_t)number : 5000000"
+    sought = "tolerance, 0" if tolerant else "0.0, number < 20000000 ? (int64_t)number : 20000000"
     precise = "&at, false" if own else "&precise, true"
     lines.append(
         f"const {outcome} outcome = {entry}(room, &at, &{longer}, {order}, {precise}, {form}, {other}, "

@@ -73,7 +73,7 @@ def approximate({signature}):
         room = count.value
     if status:
         raise Failure(status, count.value)
-    return found[: count.value].copy()
+    return found if count.value == room else found[: count.value].copy()
 '''
 
 #: by the name of an argument of C: ctypes' type of it

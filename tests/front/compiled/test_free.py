@@ -124,6 +124,31 @@ def test_knots_are_those_of_the_kernels(tmp_path, formula, primitive, at):
         assert pieces["error"].tolist() == errors.tolist()
 
 
+#: curves that stand still: at a double, beside one, on the grid, going on and turning back
+STILL = [
+    ("2*cos(t)+cos(2*t), 2*sin(t)-sin(2*t)", ("conic", "parabola", "biarc", "cubic", "polygon"), 0, 6),
+    ("t-sin(t), 1-cos(t)", ("parabola", "cubic"), -1, 15),
+    ("(t-1/3)^2, (t-1/3)^3", ("parabola", "cubic"), -1, 1),
+    ("(t-1/3)^3, (t-1/3)^4", ("conic", "biarc", "polygon"), -1, 1),
+    ("(t-1/3)^4, (t-1/3)^5", ("conic", "parabola", "biarc"), -1, 1),
+    ("(t-1/3)^5, (t-1/3)^7", ("conic", "polygon"), -1, 1),
+    ("(t-1/3)^2, (t-1/3)^3, (t-1/3)^4", ("bihelix", "polygon"), -1, 1),
+]
+
+
+@pytest.mark.parametrize(
+    ("formula", "primitive", "low", "high"),
+    [(formula, name, low, high) for formula, names, low, high in STILL for name in names],
+)
+def test_where_a_curve_stands_still_it_is_split(tmp_path, formula, primitive, low, high):
+    module = osc.compile_approximator(formula, primitive, folder=tmp_path).load()
+    for tolerance in (1e-2, 1e-5):
+        knots, errors = greedy((formula, low, high), primitive, tolerance)
+        pieces = module.approximate(float(low), float(high), tolerance)
+        assert knots_of(pieces).tolist() == knots.tolist()
+        assert pieces["error"].tolist() == errors.tolist()
+
+
 def test_features_between_samples_are_seen(tmp_path):
     """A bump on a line, far narrower than panels that are even, with its inflections."""
     formula = "t, a*exp(-((t - b)*10^4)^2)"
