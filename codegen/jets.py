@@ -31,28 +31,30 @@ _OVERFLOWING = {"exp", "sinh", "cosh", "power", "div"}
 _BITS = 128
 #: what is asked: ``void(double t, double *out)``
 _CALLBACK = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
-_LOCK = threading.Lock()
+#: whoever compiles holds it
+LOCK = threading.Lock()
 
 
 @cache
-def _target() -> tuple[Any, str, str]:
+def target() -> tuple[Any, str, str]:
     """The host's target, processor and features, found once per process."""
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     return llvm.Target.from_default_triple(), llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
 
 
-def _target_machine() -> Any:
+def target_machine() -> Any:
     """A new target machine: the engine that is given one owns it and frees it.
 
     A program is a straight line in which nothing is written twice: LLVM's passes leave its code as fast as it
     was, to the bit, and take longer than all else.
     """
-    target, processor, features = _target()
-    return target.create_target_machine(cpu=processor, features=features, opt=1)
+    host, processor, features = target()
+    return host.create_target_machine(cpu=processor, features=features, opt=1)
 
 
-def _as_double(value: Fraction) -> float:
+def as_double(value: Fraction) -> float:
+    """The nearest double, infinite beyond all."""
     try:
         return float(value)
     except OverflowError:
@@ -101,12 +103,12 @@ class _Printer:
         b = self.builder
         if op == "number":
             assert isinstance(value, Fraction)
-            return ir.Constant(_DOUBLE, _as_double(value))
+            return ir.Constant(_DOUBLE, as_double(value))
         if op == "constant":
             return ir.Constant(_DOUBLE, math.pi if value == "pi" else math.e)
         if op == "power":
             assert isinstance(value, Fraction)
-            return self.call("pow", [args[0], ir.Constant(_DOUBLE, _as_double(value))])
+            return self.call("pow", [args[0], ir.Constant(_DOUBLE, as_double(value))])
         if op == "call":
             return self.sign(args[0]) if value == "sign" else self.call(str(value), args)
         return {"add": b.fadd, "sub": b.fsub, "mul": b.fmul, "div": b.fdiv, "neg": b.fneg}[op](*args)
@@ -131,8 +133,9 @@ class _Printer:
         return self.builder.select(positive, one, self.builder.select(negative, minus, nan))
 
 
-def _bind_libm(names: Sequence[str]) -> None:
-    """Tell LLVM where libm's functions are, independent of how the process was linked."""
+def bind_libm(module: Any) -> None:
+    """Tell LLVM where the functions of libm are that a module names, however the process was linked."""
+    names = [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
     libm = ctypes.CDLL(None)
     library = libm if hasattr(libm, "cbrt") else ctypes.CDLL("libm.so.6")
     for name in names:
@@ -173,13 +176,11 @@ class CompiledJet:
         self.order = order
         self.formulas = len(formulas)
         self.size = self.formulas * (order + 1)
-        with _LOCK:
-            machine = _target_machine()
+        with LOCK:
+            machine = target_machine()
             module = llvm.parse_assembly(str(printer.module))
             module.verify()
-            _bind_libm(
-                [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
-            )
+            bind_libm(module)
             self._engine = llvm.create_mcjit_compiler(module, machine)
             self._engine.finalize_object()
             self.address: int = self._engine.get_function_address("jet")

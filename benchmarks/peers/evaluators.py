@@ -16,6 +16,8 @@ import numpy as np
 import osculant as osc
 from benchmarks.peers.contest import AbsentError, Job, installed
 from benchmarks.peers.formulas import CURVES, invariants
+from osculant.codegen.blocks import compile_blocks
+from osculant.codegen.c.jets import jet_function
 from osculant.codegen.jets import compile_jet
 from osculant.kernels.curves.invariants import COLUMNS, invariants_at
 from osculant.kernels.curves.jets import sample_many
@@ -55,6 +57,16 @@ void many(long n, const double *at, double *out) {{
   for (long i = 0; i < n; i++) {{
     double t = at[i];{body}
     for (int k = 0; k < 6; k++) {{ out[k * n + i] = x[k]; out[(k + 6) * n + i] = y[k]; }}
+  }}
+}}
+"""
+EMITTED = """#include <math.h>
+{jet}
+void many(long n, const double *at, double *out) {{
+  for (long i = 0; i < n; i++) {{
+    double row[12];
+    jet(at[i], 0, row);
+    for (int k = 0; k < 12; k++) out[k * n + i] = row[k];
   }}
 }}
 """
@@ -118,6 +130,25 @@ def our_jet(name: str) -> Job:
     """osculant's compiled jet, called by a kernel."""
     jet = compile_jet(curve(name).coordinates, ORDER)
     return _timed(lambda at, out: sample_many(jet.address, at, out), name, 2 * ORDER + 2)
+
+
+def our_blocks(name: str) -> Job:
+    """osculant's derivatives of several parameters at once, in columns, its own sines among them."""
+    blocks, at = compile_blocks(curve(name).coordinates, ORDER), times(name)
+    return Job(lambda: blocks(at), lambda found: found.reshape(-1, COUNT).T.copy())
+
+
+def emitted(name: str) -> Job:
+    """The C that osculant emits for a jet, a column for each derivative."""
+    jet = jet_function("jet", curve(name).coordinates, ORDER)
+    many = compiled(EMITTED.format(jet=jet), "cc", Path(tempfile.mkdtemp()))
+    at, out = times(name), np.empty((2 * ORDER + 2, COUNT))
+
+    def run() -> Any:
+        many(at, out)
+        return out
+
+    return Job(run, lambda found: found.T.copy())
 
 
 def by_hand(name: str, flags: str = "-O3") -> Job:
@@ -198,6 +229,8 @@ def symforce(name: str, python: str) -> Job:
 FAMILIES: dict[str, dict[str, Callable[[str], Job]]] = {
     "jets of order 5": {
         "osculant": our_jet,
+        "osculant, several at once": our_blocks,
+        "its C": emitted,
         "C by hand": by_hand,
         "C by hand, -ffast-math": partial(by_hand, flags="-ffast-math"),
         "heyoka": heyoka,
