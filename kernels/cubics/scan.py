@@ -127,7 +127,8 @@ def look_closer(
                 if count == samples.shape[0] or not t0 < middle < t1:
                     return -1
                 for j in range(count, i, -1):
-                    samples[j] = samples[j - 1]
+                    for k in range(COLUMNS):
+                        samples[j, k] = samples[j - 1, k]
                 note(samples[i], middle, sample(source, middle))
                 count += 1
             t1, u1 = t0, u0

@@ -168,14 +168,28 @@ def crowded(curve: FormulaCurve, runs: Sequence[Run], extent: float) -> list[flo
     """
     found = []
     for run in runs:
-        points, first = curve.jets(run.knots)[:, :, 0], 0
+        points = curve.jets(run.knots)[:, :, 0]
+        steps = np.hypot.reduce(points[1:] - points[:-1], axis=1)
+        if len(run) < CROWD or (steps > extent / 2).all():
+            continue  # the usual case, quickly
+        first = 0
         while first + CROWD < len(points):
-            away = np.hypot.reduce(points[first:] - points[first], axis=1) > extent / 2
-            last = first + int(np.argmax(away) if away.any() else len(away)) - 1
+            last = _last_near(points, first, extent / 2)
             if last - first >= CROWD:
                 found += [float(run.knots[first]), float(run.knots[last])]
             first = max(last, first + 1)
     return found
+
+
+def _last_near(points: np.ndarray[Any, Any], first: int, far: float) -> int:
+    """The last of the points that follow one without being far from it."""
+    start, length = first + 1, CROWD
+    while start < len(points):
+        away = np.hypot.reduce(points[start : start + length] - points[first], axis=1) > far
+        if away.any():
+            return start + int(np.argmax(away)) - 1
+        start, length = start + length, 2 * length
+    return len(points) - 1
 
 
 def meeting(before: Sequence[float], after: Sequence[float]) -> tuple[float, tuple[float, ...]] | None:

@@ -1,8 +1,11 @@
 """Where a curve winds about a point within its tolerance it is not followed, whatever the primitive is."""
 
+import numpy as np
 import pytest
 
 import osculant as osc
+from osculant.approximation.bridging import CROWD, crowded
+from osculant.approximation.runs import Run
 from tests.hausdorff import Formula, distance
 from tests.random_curves import RESOLVED
 
@@ -34,3 +37,33 @@ def test_the_tolerance_is_kept_there(text, low, high, tolerance, wide, primitive
     for segment in [*segments[:4], *segments[-4:]]:
         found = distance(formula, segment, edges, 6)
         assert found <= segment["error"] * (1 + 1e-5) + 1e-7 * tolerance and segment["error"] <= tolerance
+
+
+def plainly_crowded(points, knots, extent):
+    """What `crowded` says, from all distances."""
+    found, first = [], 0
+    while first + CROWD < len(points):
+        away = np.linalg.norm(points[first:] - points[first], axis=1) > extent / 2
+        last = first + int(np.argmax(away) if away.any() else len(away)) - 1
+        if last - first >= CROWD:
+            found += [float(knots[first]), float(knots[last])]
+        first = max(last, first + 1)
+    return found
+
+
+@pytest.mark.parametrize("extent", [1e-9, 1e-3, 0.02, 0.3, 5.0])
+@pytest.mark.parametrize("count", [2, 4, 5, 6, 60, 400])
+def test_crowds_are_found_without_looking_at_all_distances(count, extent):
+    curve = osc.curve("exp(-t)*cos(20*t), exp(-t)*sin(20*t)", 0, 12)
+    knots = np.sort(np.random.default_rng(count).uniform(0, 12, count + 1))
+    run = Run(knots, np.zeros(count), np.empty((count, 0)))
+    assert crowded(curve, [run], extent) == plainly_crowded(curve.jets(knots)[..., 0], knots, extent)
+
+
+def test_so_many_pieces_are_looked_through_at_once():
+    """All distances would be 4e10."""
+    count = 200_000
+    run = Run(np.linspace(0, 12, count + 1), np.zeros(count), np.empty((count, 0)))
+    curve = osc.curve("exp(-t)*cos(20*t), exp(-t)*sin(20*t)", 0, 12)
+    found = crowded(curve, [run], 1e-3)
+    assert len(found) > 2 and found[-1] == 12.0 and found == sorted(found)

@@ -245,3 +245,9 @@ def test_for_one_processor_the_bits_are_those_for_any(libraries, tmp_path, primi
     assert [((a, b), (c, d), error) for a, b, c, d, error in found[list(names)].tolist()] == own
     if primitive == "biarc":
         assert found[["x1", "y1"]].tolist() == [piece.junction for piece in pieces]
+
+
+@pytest.mark.parametrize("family", faces.families())
+def test_every_family_is_translated(family):
+    text, functions = building.source(family)
+    assert functions and all(f"{function['name']}(" in text for function in functions)
