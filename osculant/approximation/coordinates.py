@@ -122,4 +122,6 @@ def _repeated(curve: FormulaCurve, resolution: float, first: int, last: int) -> 
     """The edges of `parts` in order, from the first turn of a periodic curve up to the last."""
     low, high = curve.interval
     turns = np.arange(first, last)
-    return np.unique(parts(curve, resolution) + (high - low) * turns[:, None])
+    edges: Floats = np.sort((parts(curve, resolution) + (high - low) * turns[:, None]).ravel())
+    different: Floats = np.append(edges[1:] != edges[:-1], True)
+    return np.compress(different, edges)  # np.unique would load all of numpy.ma

@@ -70,7 +70,9 @@ def build(
     library = f"lib{name}.so"
     made = not target.exists()
     if not made and not target.is_dir():
-        raise OsculantError(f"{target} is no folder: name another, which is made if it is missing.")
+        raise OsculantError(
+            f"Cannot write to the folder {target}, as it is none: name one that is there or can be made."
+        )
     try:
         target.mkdir(exist_ok=True)
         for file in (*texts, library):

@@ -41,7 +41,7 @@ BAD = [
     (["t, t^2", "--out", "x", "--split-at", "1"], "--split-at is for a fixed curve, and here the interval"),
     (["t, a*t", "--out", "x", "--parameters", "a", "--split-at", "1"], "the values of a are"),
     (["--jet", "plane", "--out", "x", "--split-at", "1"], "the curve is known at run time"),
-    (["t, t^2", "--out", "/dev/null"], "/dev/null is no folder"),
+    (["t, t^2", "--out", "/dev/null"], "the folder /dev/null, as it is none"),
     (["t, t^2", "--out", "x", "--with", "best"], "a library is for all: choose one of conic, parabola"),
 ]
 
