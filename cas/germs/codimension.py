@@ -14,8 +14,9 @@ For a quasi-homogeneous germ such jets are far smaller.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Literal
 
@@ -32,7 +33,7 @@ from osculant.cas.germs.weights import graded_by
 
 @dataclass(frozen=True)
 class Tangent:
-    """A tangent space in the jets of one order, by its annihilator.
+    """A tangent space in the jets of one order, by its annihilator, and the seconds that it took.
 
     >>> t = tangent(Germ("x**3", "x"), group("R"), Version.EXTENDED, 4)
     >>> t.annihilator.codimension, t.depth
@@ -44,6 +45,7 @@ class Tangent:
     version: Version
     space: JetSpace
     annihilator: Annihilator
+    seconds: float = field(default=0.0, compare=False)
 
     @property
     def depth(self) -> int:
@@ -82,9 +84,10 @@ def tangent(
     """The tangent space of that version of the group, modulo M^{order+1} (with weights modulo W); kept."""
     key = group_, version, order, weights
     if key not in germ.known:
+        begun = time.process_time()
         space = JetSpace(germ.n, germ.p, order, weights)
         found = annihilator(rows(vectors(germ, group_, version, order, weights), space), space.columns)
-        germ.known[key] = Tangent(germ, group_, version, space, found)
+        germ.known[key] = Tangent(germ, group_, version, space, found, time.process_time() - begun)
     made: Tangent = germ.known[key]
     return made
 
@@ -247,6 +250,7 @@ def _tangent(
     bound = 1 if contact is None else contact.depth + 1
     for order in search.orders(limit, FIELD_ORDER if g.source == "own" else LARGEST):
         found = tangent(germ, g, version, order, search.weights)
+        search.cost = found.seconds
         if found.settled(bound):
             return found
         if search.grown(found.codimension):

@@ -24,6 +24,7 @@ from osculant.cas.germs.groups import Group
 from osculant.cas.germs.local_dimension import large_zeros
 from osculant.cas.germs.loci import Locus, loci
 from osculant.cas.germs.model import model_of
+from osculant.cas.germs.processes import Cost, counted
 
 #: seconds for a locus in the first round; how much more in the next; the longest round
 SLICE, MORE, LONGEST = 0.3, 4, 600.0
@@ -92,6 +93,7 @@ class Geometry:
         self.process: subprocess.Popen[bytes] | None = None
         self.answer: Degeneration | None = None
         self.over = False
+        self.cost: Cost | None = None
 
     def start(self) -> None:
         """Begin, if it has not begun."""
@@ -110,6 +112,7 @@ class Geometry:
             env={**os.environ, "PYTHONPATH": path},
             start_new_session=True,  # so that it can be ended together with its child
         )
+        self.cost = counted(self.process.pid)
         assert self.process.stdin is not None
         with suppress(OSError):
             self.process.stdin.write(json.dumps(told).encode())
@@ -127,7 +130,10 @@ class Geometry:
         with suppress(subprocess.TimeoutExpired):
             text, _ = self.process.communicate(timeout=max(seconds, SHORT))
             self.over = True
-            if text.strip() and (found := json.loads(text)) is not None:
+            told = json.loads(text) if text.strip() else {"seconds": None, "proof": None}
+            if self.cost is not None:
+                self.cost.ended(told["seconds"])
+            if (found := told["proof"]) is not None:
                 self.answer = Degeneration(found["locus"], found["dimension"], found["zeros"])
         return self.answer
 
@@ -135,6 +141,8 @@ class Geometry:
         """End the search."""
         if self.process is None:
             return
+        if self.cost is not None:
+            self.cost.ended()
         if self.process.poll() is None:
             with suppress(ProcessLookupError, PermissionError):
                 if hasattr(os, "killpg"):
@@ -234,7 +242,7 @@ def _bounded() -> None:
 
 
 def main() -> None:
-    """Read a germ and a group from standard input, print the proof or null."""
+    """Read a germ and a group from standard input; print the processor time taken, and the proof or null."""
     _bounded()
     told = json.load(sys.stdin)
     germ = (
@@ -244,7 +252,8 @@ def main() -> None:
     )
     name, source, target, fields = told["group"]
     found = prove(germ, Group(name, source, target, tuple(fields)), tuple(told["kinds"]))
-    json.dump(None if found is None else found.certificate(), sys.stdout)
+    proof = None if found is None else found.certificate()
+    json.dump({"seconds": sum(os.times()[:4]), "proof": proof}, sys.stdout)  # with those of its children
 
 
 def _germ(told: dict[str, Any]) -> Germ:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
+from math import comb
+from typing import Any, NamedTuple
 
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.formulas.expression import ZERO, Node, call, number, power, to_text, variable
@@ -15,6 +16,9 @@ from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.polynomials import LARGEST, Number, Polynomial
 from osculant.cas.numbers.fields import ExactNumbers
 from osculant.cas.numbers.taylor import program
+
+#: products of terms that may be made to expand a polynomial as a whole
+EXPANSION = 2_000_000
 
 
 class Germ:
@@ -103,7 +107,11 @@ class Germ:
     def polynomial(self, degree: int) -> tuple[Polynomial, ...] | None:
         """The components as polynomials, if they are polynomials of at most that degree; else None.
 
+        None too if the work of expanding them is not bounded by `EXPANSION` beforehand.
+
         >>> Germ("exp(x) - 1", "x").polynomial(10) is None
+        True
+        >>> Germ("x*(1 + x + y)**3000", "x y").polynomial(LARGEST) is None
         True
         """
         kinds = {"number", "variable", "add", "sub", "neg", "mul", "div", "pow"}
@@ -111,8 +119,9 @@ class Germ:
             whole = node.kind != "pow" or (node.value.denominator == 1 and node.value >= 0)
             if node.kind not in kinds or not whole or (node.kind == "div" and variables(node.args[1:])):
                 return None
-        bound = max((_degree_bound(node) for node in self.components), default=0)
-        return None if bound > degree else self.jet(bound)
+        sizes = [_size(node, self.n) for node in self.components]
+        bound = max(size.degree for size in sizes)
+        return None if bound > degree or sum(s.work for s in sizes) > EXPANSION else self.jet(bound)
 
     def truncated(self, order: int) -> Germ:
         """The jet of that order, as a polynomial germ.
@@ -180,17 +189,35 @@ def as_node(f: Polynomial, source: tuple[str, ...]) -> Node:
     return total
 
 
-def _degree_bound(root: Node) -> int:
-    """An upper bound of the degree of a polynomial expression."""
+class _Size(NamedTuple):
+    """Upper bounds of a polynomial expression: degree, terms, and products of terms that make it."""
 
-    def rule(node: Node, degrees: list[int]) -> int:
+    degree: int
+    terms: int
+    work: int
+
+
+def _size(root: Node, n: int) -> _Size:
+    """The size of a polynomial expression in n variables."""
+
+    def most(degree: int) -> int:
+        return comb(n + degree, n)
+
+    def rule(node: Node, args: list[_Size]) -> _Size:
+        work = sum(a.work for a in args)
         if node.kind == "variable":
-            return 1
+            return _Size(1, 1, 0)
         if node.kind == "mul":
-            return degrees[0] + degrees[1]
+            degree, products = args[0].degree + args[1].degree, args[0].terms * args[1].terms
+            return _Size(degree, min(products, most(degree)), work + products)
         if node.kind == "pow":
-            return degrees[0] * int(node.value)
-        return max(degrees, default=0)
+            e, (degree, terms, _) = int(node.value), args[0]
+            if terms == 1:
+                return _Size(degree * e, 1, work)
+            half = comb(terms - 1 + e // 2, min(terms - 1, e // 2)) if terms + e < LARGEST else EXPANSION
+            half = min(half, most(degree * (e // 2)))
+            return _Size(degree * e, most(degree * e), work + 2 * half * half)  # the last squaring and before
+        return _Size(max((a.degree for a in args), default=0), sum(a.terms for a in args) or 1, work)
 
     return fold([root], rule)[0]
 

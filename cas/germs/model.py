@@ -23,6 +23,8 @@ from osculant.cas.germs.germ import Germ, expanded
 
 #: degree of the polynomials of a model at most
 DEGREE = 400
+#: higher powers of units are functions, as those with other exponents are
+HIGH = 100
 #: a rational function: numerator, denominator (a unit at the origin)
 Quotient = tuple[Any, Any]
 
@@ -157,6 +159,9 @@ class _Reading:
     def __init__(self, germ: Germ) -> None:
         self.germ = germ
         self.nodes = topological(germ.components)
+        high = [node for node in self.nodes if node.kind == "pow" and abs(node.value) > HIGH]
+        bases = [f.get(0, 0) for f in expanded(tuple(node.args[0] for node in high), germ.source, 0)]
+        self.high = {node for node, base in zip(high, bases) if base}
         self.keys: dict[tuple[str, Node], int] = {}
         for node in self.nodes:
             for key in self.functions(node):
@@ -165,10 +170,13 @@ class _Reading:
         self.context = ring(names)
         self.gens = list(self.context.gens())
 
-    @staticmethod
-    def functions(node: Node) -> list[tuple[str, Node]]:
+    def whole(self, node: Node) -> bool:
+        """Whether a node is a power that is multiplied out."""
+        return node.kind == "pow" and node.value.denominator == 1 and node not in self.high
+
+    def functions(self, node: Node) -> list[tuple[str, Node]]:
         """The function that a node needs as a variable, if it needs one."""
-        if node.kind == "pow" and node.value.denominator > 1:
+        if node.kind == "pow" and not self.whole(node):
             return [(f"^{node.value}", node.args[0])]
         if node.kind != "call":
             return []
@@ -181,9 +189,8 @@ class _Reading:
         try:
             for node in self.nodes:
                 args = [values[a] for a in node.args]
-                whole = node.kind == "pow" and node.value.denominator == 1
                 degree = max((f.total_degree() for pair in args for f in pair), default=0)
-                if degree * (abs(int(node.value)) if whole else 1) > DEGREE:
+                if degree * (abs(int(node.value)) if self.whole(node) else 1) > DEGREE:
                     return None
                 values[node] = self.quotient(node, args, rules)
         except (KeyError, OsculantError):
@@ -219,7 +226,7 @@ class _Reading:
             return args[0][0] * args[1][0], args[0][1] * args[1][1]
         if node.kind == "div":
             return args[0][0] * args[1][1], args[0][1] * args[1][0]
-        if node.kind == "pow" and node.value.denominator == 1:
+        if self.whole(node):
             e = int(node.value)
             a, b = args[0] if e >= 0 else args[0][::-1]
             return a ** abs(e), b ** abs(e)

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from osculant.cas.germs.geometry import Degeneration, Geometry
 from osculant.cas.germs.polynomials import LARGEST
+from osculant.cas.germs.processes import processor_time
 from osculant.cas.germs.tangent import JetSpace
 
 #: seconds of processor time that a question may take by default
@@ -24,21 +25,23 @@ GRADED = 3000
 GROWTH, LATE, SOON = 6, 8, 0.4
 #: after so many seconds, or `LATE` orders, its answer is waited for, once, for so many seconds
 SLOW, FIRST = 1.0, 1.0
+#: seconds after which a wait looks at the time that the other process took
+GLANCE = 0.25
 
 
 class Patience:
-    """A number of seconds of processor time, which pass from now on.
+    """A number of seconds of processor time, of this process and those that help it, which pass from now on.
 
     >>> Patience(3600).left() > 3500
     True
     """
 
     def __init__(self, seconds: float = SECONDS) -> None:
-        self.seconds, self.begun, self.waited = seconds, time.process_time(), 0.0
+        self.seconds, self.begun = seconds, processor_time()
 
     def spent(self) -> float:
-        """The seconds that are over, those of waiting for other processes too."""
-        return time.process_time() - self.begun + self.waited
+        """The seconds that are over."""
+        return processor_time() - self.begun
 
     def left(self) -> float:
         """The seconds that are left."""
@@ -46,11 +49,11 @@ class Patience:
 
     def wait(self, geometry: Geometry, seconds: float = float("inf")) -> Degeneration | None:
         """Wait for the geometry so many seconds, and no longer than there is time."""
-        begun = time.monotonic()
-        try:
-            return geometry.result(min(seconds, self.left()))
-        finally:
-            self.waited += time.monotonic() - begun
+        until = time.monotonic() + min(seconds, self.left())
+        found = geometry.result(0)
+        while not geometry.over and (rest := min(until - time.monotonic(), self.left())) > 0:
+            found = geometry.result(min(rest, GLANCE))
+        return found
 
 
 class Search:
@@ -66,6 +69,7 @@ class Search:
     Attributes:
         order: the last order tried.
         proof: that the answer is "infinite", once it is found.
+        cost: the seconds that the last order took; who finds it known already tells what it took then.
     """
 
     def __init__(
@@ -83,12 +87,12 @@ class Search:
             columns = JetSpace(self.n, self.p, order, self.weights).columns
             if columns > limit:
                 return
-            begun = time.process_time()
+            begun, self.cost = time.process_time(), 0.0
             yield order
             self.order = order
             if self.proof is not None:
                 return
-            self.cost = time.process_time() - begun
+            self.cost = max(self.cost, time.process_time() - begun)
             following = order + max(1, order // 6)
             wider = JetSpace(self.n, self.p, following, self.weights).columns / columns
             self.next = following

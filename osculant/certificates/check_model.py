@@ -33,6 +33,8 @@ HALVES = {
     "tanh": ("halfh", (0, 2, 0), (1, 0, 1)),
 }
 ROOTS = {"sqrt": "1/2", "cbrt": "1/3"}
+#: higher powers of units are functions too
+HIGH = 100
 
 
 class Model:
@@ -94,6 +96,8 @@ class Model:
         if e.denominator > 1:
             return self.function(f"^{e}", node.left)
         a, b = self.quotient(node.left)
+        if abs(e) > HIGH and zero in a:
+            return self.function(f"^{e}", node.left)
         if e < 0:
             self.unit(a)
             a, b = b, a

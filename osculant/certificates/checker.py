@@ -63,7 +63,7 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
             raise RejectedError("the file is no JSON") from None
     require(isinstance(data, Mapping) and data.get("kind") == "germ", "this is no certificate file of a germ")
     require(
-        data.get("version") == 1 and data["version"] is not True,
+        type(data.get("version")) is int and data["version"] == 1,
         f"the version {data.get('version')!r} of the file is not known",
     )
     try:

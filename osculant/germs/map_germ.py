@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from osculant.cas.germs.versal import Versality
 
 Size = int | Literal["infinite"]
-#: seconds that a question has at least
-LEAST = 1.0
+#: part of the patience that a question of several has at least
+LEAST = 0.03
 GroupName = str | Group | None
 
 
@@ -46,8 +46,8 @@ def germ(
             default the variable called ``u`` if there is one.
         at: the point of the germ, if it is not the origin: text such as ``"1, -1/2"`` or a sequence of exact
             rational numbers, no floats. It is moved to the origin, and its image too: x ↦ f(a + x) − f(a).
-        patience: seconds of processor time for a question (a report: for all of them, and one second more for
-            each that is left then); what is not decided in that time is told to be undecided.
+        patience: seconds of processor time for a question (a report: for all of them, and a little more, in
+            all less than a fifth, for those that are left then); what is not decided is told to be undecided.
 
     Raises FormulaError for what is no formula, uses other variables or has no component, and for a file that
     cannot be read; DomainError for a germ that does not vanish at 0, is not analytic there or has
@@ -280,9 +280,7 @@ class MapGerm:
         """The time that a question asked now may take."""
         from osculant.cas.germs.search import Patience
 
-        return Patience(
-            self.seconds if self.clock is None else max(self.clock.left(), min(LEAST, self.seconds))
-        )
+        return Patience(self.seconds if self.clock is None else max(self.clock.left(), LEAST * self.seconds))
 
     def proved_codimension(self, group: GroupName = None, *, extended: bool = False) -> Codimension:
         """The codimension with its proof, as `osculant.cas.germs.codimension` has it; computed once."""

@@ -288,3 +288,35 @@ def test_work_is_bounded_for_one_certificate_and_not_for_all():
     with pytest.raises(RejectedError, match="more work"), limited(10):
         read("(x + y)^9", ["x", "y"])
     assert len(read("(x + y)^9", ["x", "y"])) == 10
+
+
+@pytest.mark.parametrize("number", ["Infinity", "-Infinity", "NaN", "1e999", "-1e999", "1.0"])
+def test_infinity_is_no_number_of_a_file(number, tmp_path):
+    whole = json.loads(json.dumps(certificate_file(germ("x**3 + y**4", "x y"))))
+    file = tmp_path / "germ.json"
+
+    def put(holder, key):
+        """The file with that number in the place of another."""
+        kept, holder[key] = holder[key], "HERE"
+        file.write_text(json.dumps(whole).replace('"HERE"', number))
+        holder[key] = kept
+
+    proof = whole["certificate"]["determinacy"]
+    first = whole["certificate"]["codimension"]
+    functional = next(f for f in first["functionals"] if f)
+    places = [
+        *((whole, key) for key in ("codimension", "extended_codimension", "determinacy", "version")),
+        *((first, key) for key in ("order", "prime")),
+        *((proof["annihilator"], key) for key in ("order", "prime")),
+        (functional, next(iter(functional))),
+    ]
+    for holder, key in places:
+        put(holder, key)
+        with pytest.raises(RejectedError):
+            check(file)
+        value = float(number)
+        kept, holder[key] = holder[key], value
+        with pytest.raises(RejectedError):
+            check(whole)
+        holder[key] = kept
+    assert check(whole)
