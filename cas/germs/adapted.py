@@ -14,17 +14,18 @@ import random
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-
-from flint import fmpq, fmpq_mat
+from typing import Any
 
 from osculant.cas.formulas.expression import Node, number, to_text, variable
+from osculant.cas.germs.algebraic import NumberField, height
 from osculant.cas.germs.codimension import tangent
+from osculant.cas.germs.eigenvalues import at_matrix, factors, rational_root
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version
-from osculant.cas.germs.linear import null_space
+from osculant.cas.germs.linear import inverse, null_space, product, rank
 from osculant.cas.germs.linear_fields import LinearField, all_linear_fields, pairings
 
-Matrix = list[list[Fraction]]
+Matrix = list[list[Any]]
 
 #: elements of the algebra of symmetries that are tried
 TRIED = 60
@@ -57,8 +58,8 @@ class Frame:
         if not self.moved:
             size = range(len(rows))
             return [[Fraction(int((c, i) == (field.a, field.b))) for i in size] for c in size]
-        inverse = _inverse(rows)
-        return [[a * row[field.b] for row in inverse] for a in rows[field.a]]
+        back = inverse(rows)
+        return [[a * row[field.b] for row in back] for a in rows[field.a]]
 
     def text(self, germ: Germ) -> tuple[str, ...]:
         """The new coordinates as written: "X = x + 2*y", and Y1, Y2, … of the target."""
@@ -66,7 +67,8 @@ class Frame:
         found = []
         for names, rows in ((germ.source, self.source), (targets, self.target)):
             for name, row in zip(names, rows):
-                found.append(f"{name.upper()} = {to_text(_combination(row, [variable(n) for n in names]))}")
+                nodes = [variable(n) for n in names]
+                found.append(f"{name.upper()} = {to_text(_combination(row, nodes, germ.field))}")
         return tuple(found)
 
 
@@ -102,7 +104,7 @@ def adapted(germ: Germ, group: Group, order: int) -> Frame | None:
     for weights in _simple(symmetries):
         source, kinds, own = _eigenbasis(_matrix("source", germ.n, fields, weights), fixed)
         target, others, theirs = _eigenbasis(_matrix("target", germ.p, fields, weights), None)
-        size = sum(abs(v.numerator) + v.denominator for row in source + target for v in row)
+        size = sum(height(v) for row in source + target for v in row)
         if group.target == "none":
             target = unit(germ.p)
         if best is None or (kinds + others, -size) > best[0]:
@@ -145,19 +147,18 @@ def _eigenbasis(matrix: Matrix, fixed: int | None) -> tuple[Matrix, int, tuple[F
     eigenvalues are None unless all are rational.
     """
     size = len(matrix)
-    rational = fmpq_mat(size, size, [fmpq(v.numerator, v.denominator) for row in matrix for v in row])
     rows: Matrix = []
     values: list[Fraction | None] = []
-    _, factors = rational.charpoly().factor()
-    for factor, multiplicity in factors:
-        power = _polynomial_at(factor, rational) ** multiplicity
-        conditions = [
-            [Fraction(int(power[i, j].p), int(power[i, j].q)) for j in range(size)] for i in range(size)
-        ]
-        here = null_space(conditions, size)
+    found = factors(matrix)
+    for factor, multiplicity in found:
+        power = value = at_matrix(factor, matrix)
+        for _ in range(multiplicity - 1):
+            power = product(power, value)
+        here = null_space(power, size)
         rows += here
-        root = -factor.coeffs()[0] / factor.coeffs()[1] if factor.degree() == 1 else None
-        values += [None if root is None else Fraction(int(root.p), int(root.q))] * len(here)
+        values += [rational_root(factor)] * len(here)
+    if len(rows) != size or not _independent(rows):  # the factors have a common one over a number field
+        return [[Fraction(int(i == j)) for j in range(size)] for i in range(size)], 1, None
     if fixed is not None:
         # the boundary function is an eigenvector: it takes the place of a row that it needs
         own = [Fraction(int(i == fixed)) for i in range(size)]
@@ -167,32 +168,16 @@ def _eigenbasis(matrix: Matrix, fixed: int | None) -> tuple[Matrix, int, tuple[F
         values.pop(at)
         values.insert(fixed, matrix[fixed][fixed])
     known = [v for v in values if v is not None]
-    return rows, len(factors), tuple(known) if len(known) == size else None
-
-
-def _polynomial_at(polynomial: object, matrix: fmpq_mat) -> fmpq_mat:
-    size = matrix.nrows()
-    one = fmpq_mat(size, size, [fmpq(int(i == j)) for i in range(size) for j in range(size)])
-    value = one * fmpq(0)
-    for c in reversed(polynomial.coeffs()):  # type: ignore[attr-defined]
-        value = value * matrix + one * c
-    return value
+    return rows, len(found), tuple(known) if len(known) == size else None
 
 
 def _independent(rows: Matrix) -> bool:
-    flat = [fmpq(v.numerator, v.denominator) for row in rows for v in row]
-    return bool(fmpq_mat(len(rows), len(rows), flat).rank() == len(rows))
+    return rank(rows, len(rows)) == len(rows)
 
 
-def _inverse(rows: Matrix) -> Matrix:
-    size = len(rows)
-    found = fmpq_mat(size, size, [fmpq(v.numerator, v.denominator) for row in rows for v in row]).inv()
-    return [[Fraction(int(found[i, j].p), int(found[i, j].q)) for j in range(size)] for i in range(size)]
-
-
-def _combination(weights: Sequence[Fraction], nodes: Sequence[Node]) -> Node:
+def _combination(weights: Sequence[Any], nodes: Sequence[Node], field: NumberField | None) -> Node:
     total = number(0)
     for weight, node in zip(weights, nodes):
         if weight:
-            total = total + number(weight) * node
+            total = total + (number(weight) if field is None else field.expression(weight)) * node
     return total

@@ -22,9 +22,11 @@ import numpy as np
 from flint import fmpz, nmod_mat
 
 from osculant.cas.errors import UndecidedError
+from osculant.cas.germs.algebraic import Algebraic, NumberField
 
-Row = Mapping[int, int]
-Functional = dict[int, Fraction]
+#: entries are whole numbers, or numbers of a number field
+Row = Mapping[int, Any]
+Functional = dict[int, Any]
 
 #: primes start here and go down: products of residues fit 63 bits; most that are used
 LARGEST_PRIME, MOST_PRIMES = 2**31 - 1, 200
@@ -56,12 +58,18 @@ class Annihilator:
         return len(self.free)
 
 
-def annihilator(rows: Sequence[Row], columns: int) -> Annihilator:
-    """The annihilator of integer rows {column: entry}; exact.
+def annihilator(rows: Sequence[Row], columns: int, field: NumberField | None = None) -> Annihilator:
+    """The annihilator of rows {column: entry} of integers, or of numbers of a field; exact.
+
+    Over a number field of degree d the rows are taken as d rows over ℚ each, every column as d of them: the
+    echelon form over ℚ has whole blocks of d columns, and functional number i of the block of a column is the
+    part of αⁱ of the functional over the field.
 
     Functionals are lifted from one prime or, by the Chinese remainder theorem, from as many as needed.
     Raises UndecidedError if the entries are too large even for `MOST_PRIMES`.
     """
+    if field is not None:
+        return _over_field(rows, columns, field)
     agreeing: dict[tuple[int, ...], _Residues] = {}
     for prime in islice(_primes(), MOST_PRIMES):
         free, values = modular_annihilator(rows, columns, prime)
@@ -74,6 +82,42 @@ def annihilator(rows: Sequence[Row], columns: int) -> Annihilator:
     raise UndecidedError(
         f"The annihilator of {len(rows)} rows in {columns} columns was not found with {MOST_PRIMES} primes."
     )
+
+
+def _over_field(rows: Sequence[Row], columns: int, field: NumberField) -> Annihilator:
+    d = field.degree
+    found = annihilator(restricted(rows, field), columns * d)
+    free = tuple(c // d for c in found.free[::d])
+    functionals = []
+    for k in range(len(free)):
+        parts: dict[int, list[Fraction]] = {}
+        for i, functional in enumerate(found.functionals[k * d : (k + 1) * d]):
+            for c, v in functional.items():
+                if not c % d:  # the values on numbers of ℚ
+                    parts.setdefault(c // d, [Fraction(0)] * d)[i] = v
+        functionals.append({c: field.of(values) for c, values in sorted(parts.items())})
+    return Annihilator(columns, found.rank // d, free, tuple(functionals), found.prime)
+
+
+def restricted(rows: Sequence[Row], field: NumberField) -> list[dict[int, int]]:
+    """The multiples of the rows by 1, α, …, α^{d−1} over ℚ, in whole numbers: column c·d + i is that of αⁱ.
+
+    >>> field = NumberField.stated("a^2 - 2")
+    >>> restricted([{1: field.generator}], field)
+    [{3: 1}, {2: 2}]
+    """
+    found = []
+    for row in rows:
+        for power in range(field.degree):
+            factor = field.generator**power
+            entries: dict[int, Fraction] = {}
+            for c, v in row.items():
+                value = v * factor
+                parts = value.coefficients() if isinstance(value, Algebraic) else (Fraction(value),)
+                entries |= {c * field.degree + i: part for i, part in enumerate(parts) if part}
+            common = lcm(*(v.denominator for v in entries.values()))
+            found.append({c: int(v * common) for c, v in entries.items()})
+    return found
 
 
 def _primes() -> Iterator[int]:

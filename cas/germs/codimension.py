@@ -86,7 +86,8 @@ def tangent(
     if key not in germ.known:
         begun = time.process_time()
         space = JetSpace(germ.n, germ.p, order, weights)
-        found = annihilator(rows(vectors(germ, group_, version, order, weights), space), space.columns)
+        spanning = rows(vectors(germ, group_, version, order, weights), space)
+        found = annihilator(spanning, space.columns, germ.field)
         germ.known[key] = Tangent(germ, group_, version, space, found, time.process_time() - begun)
     made: Tangent = germ.known[key]
     return made

@@ -12,7 +12,8 @@ from flint import fmpq, fmpq_poly
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import to_text
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.germ import Germ, as_node
+from osculant.cas.germs.expansion import as_node
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.polynomials import LARGEST, Number, Polynomial
 
 #: a monomial in the source variables: its coefficient, by the exponents of the parameters
@@ -50,6 +51,8 @@ class Family:
             raise DomainError(f"{sorted(shared)[0]!r} is a source variable and a parameter: rename one.")
         whole = Germ(components, (*self.source, *self.parameters))
         jet = whole.polynomial(LARGEST)
+        if whole.field is not None:
+            raise DomainError(f"The family {components!r} has irrational coefficients: give rational ones.")
         if jet is None:
             raise DomainError(
                 f"The family {components!r} is not a polynomial of degree at most {LARGEST}: replace its "
@@ -168,12 +171,12 @@ class GenericGerm(Germ):
 
     def jet(self, order: int) -> tuple[Polynomial, ...]:
         """The components up to that degree, with coefficients in ℚ[a]."""
-        return tuple(poly.cut(cast(Polynomial, f), self.n, order) for f in self._jet)
+        return tuple(poly.cut(f, self.n, order) for f in self._jet)
 
     def velocity(self, order: int) -> tuple[Polynomial, ...]:
         """∂f/∂a up to that degree, with coefficients in ℚ[a]."""
         rates = ({m: c.derivative() for m, c in f.items() if c.degree() > 0} for f in self._jet)
-        return tuple(poly.cut(cast(Polynomial, f), self.n, order) for f in rates)
+        return tuple(poly.cut(f, self.n, order) for f in rates)
 
 
 def _names(names: str | Sequence[str]) -> tuple[str, ...]:

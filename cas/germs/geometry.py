@@ -18,8 +18,11 @@ from typing import Any
 
 from osculant.cas.errors import OsculantError
 from osculant.cas.formulas.expression import to_text
+from osculant.cas.formulas.parser import FILE, parse_tuple
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.germ import Germ, as_node
+from osculant.cas.germs.algebraic import NumberField
+from osculant.cas.germs.expansion import as_node
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group
 from osculant.cas.germs.local_dimension import large_zeros
 from osculant.cas.germs.loci import Locus, loci
@@ -160,18 +163,19 @@ class Geometry:
 
 def _told(germ: Germ, group: Group, kinds: tuple[str, ...]) -> dict[str, Any] | None:
     jet = germ.polynomial(poly.LARGEST)
-    nodes = germ.components if jet is None else tuple(as_node(f, germ.source) for f in jet)
+    nodes = germ.components if jet is None else tuple(as_node(f, germ.source, germ.field) for f in jet)
     try:
         texts = [to_text(node) for node in nodes]
     except OsculantError:
         return None
     polynomials = None
-    if jet is not None:
+    if jet is not None and germ.field is None:
         polynomials = [[[*poly.exponents_of(m, germ.n), str(c)] for m, c in f.items()] for f in jet]
     return {
         "components": texts,
         "polynomials": polynomials,
         "source": list(germ.source),
+        "root": None if germ.field is None else germ.field.text,
         "boundary": germ.boundary,
         "group": [group.name, group.source, group.target, list(group.fields)],
         "kinds": list(kinds),
@@ -190,7 +194,7 @@ def prove(germ: Germ, group: Group, kinds: tuple[str, ...] = ()) -> Degeneration
     while waiting and seconds < LONGEST:
         late = []
         for locus in waiting:
-            zeros, done = _in_a_child(locus, seconds)
+            zeros, done = _in_a_child(locus, model.field, seconds)
             if zeros is not None:
                 more = {"functions": locus.functions} if locus.functions else {}
                 return Degeneration({**locus.kind, **more}, locus.least, zeros)
@@ -200,18 +204,20 @@ def prove(germ: Germ, group: Group, kinds: tuple[str, ...] = ()) -> Degeneration
     return None
 
 
-def _zeros(locus: Locus) -> dict[str, Any] | None:
+def _zeros(locus: Locus, field: NumberField | None) -> dict[str, Any] | None:
     try:
         context, generators = locus.make()
     except ValueError:
         return None
-    return large_zeros(context, generators, locus.least + locus.functions, locus.apart)
+    return large_zeros(context, generators, locus.least + locus.functions, locus.apart, field)
 
 
-def _in_a_child(locus: Locus, seconds: float) -> tuple[dict[str, Any] | None, bool]:
+def _in_a_child(
+    locus: Locus, field: NumberField | None, seconds: float
+) -> tuple[dict[str, Any] | None, bool]:
     """(the certificate or None, whether it came to an end) for one locus."""
     if not hasattr(os, "fork"):
-        return _zeros(locus), True
+        return _zeros(locus, field), True
     reading, writing = os.pipe()
     child = os.fork()
     if not child:
@@ -219,7 +225,7 @@ def _in_a_child(locus: Locus, seconds: float) -> tuple[dict[str, Any] | None, bo
         status = 1
         try:
             with os.fdopen(writing, "w") as pipe:
-                json.dump(_zeros(locus), pipe)
+                json.dump(_zeros(locus, field), pipe)
             status = 0
         finally:
             os._exit(status)
@@ -245,15 +251,18 @@ def main() -> None:
     """Read a germ and a group from standard input; print the processor time taken, and the proof or null."""
     _bounded()
     told = json.load(sys.stdin)
-    germ = (
-        Germ(", ".join(told["components"]), told["source"], told["boundary"])
-        if told["polynomials"] is None
-        else _germ(told)
-    )
+    germ = _read(told) if told["polynomials"] is None else _germ(told)
     name, source, target, fields = told["group"]
     found = prove(germ, Group(name, source, target, tuple(fields)), tuple(told["kinds"]))
     proof = None if found is None else found.certificate()
     json.dump({"seconds": sum(os.times()[:4]), "proof": proof}, sys.stdout)  # with those of its children
+
+
+def _read(told: dict[str, Any]) -> Germ:
+    field = None if told["root"] is None else NumberField.stated(told["root"])
+    names = [*told["source"], *(() if field is None else (str(field.name),))]
+    nodes = parse_tuple(", ".join(told["components"]), names, FILE)
+    return Germ(nodes, told["source"], told["boundary"], field)
 
 
 def _germ(told: dict[str, Any]) -> Germ:

@@ -15,7 +15,8 @@ from typing import Literal
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.germ import Germ, expanded
+from osculant.cas.germs.expansion import expanded
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.polynomials import Polynomial
 
 Field = tuple[Polynomial, ...]
@@ -81,7 +82,7 @@ class Group:
             raise DomainError(
                 f"The vector field {text!r} has {len(nodes)} components; the source has dimension {germ.n}."
             )
-        return expanded(nodes, germ.source, FIELD_ORDER)
+        return expanded(nodes, germ.source, FIELD_ORDER, germ.field)
 
 
 GROUPS = {

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
+from typing import Any
 
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.algebraic import NumberField
 from osculant.cas.germs.annihilator import annihilator
 from osculant.cas.germs.geometry import Geometry
 from osculant.cas.germs.germ import Germ
@@ -31,6 +33,7 @@ def local_algebra(
     what: str,
     geometry: Geometry | None = None,
     patience: Patience | None = None,
+    field: NumberField | None = None,
 ) -> LocalAlgebra | None:
     """The algebra of power series in n variables modulo an ideal, exactly (Nakayama).
 
@@ -40,6 +43,7 @@ def local_algebra(
         what: the name of the algebra, for the error.
         geometry: looks for a proof that the dimension is infinite.
         patience: the time that it may take.
+        field: of the coefficients, if they are not rational.
 
     Returns the algebra, or None if its dimension is proved to be infinite. Raises UndecidedError if the
     dimension does not settle in time: it may be infinite.
@@ -59,10 +63,10 @@ def local_algebra(
                 row = space.row((poly.times(f, {m: 1}, n, order),), place)
                 if row:
                     spanning.append(row)
-        found = annihilator(spanning, space.columns)
+        found = annihilator(spanning, space.columns, field)
         depth = max((space.degree(c) for f in found.functionals for c in f), default=-1)
         if order > depth:
-            return LocalAlgebra(found.codimension, _hilbert(spanning, n, depth))
+            return LocalAlgebra(found.codimension, _hilbert(spanning, n, depth, field))
         if search.grown(found.codimension):
             return None
     if geometry is not None and patience.wait(geometry) is not None:
@@ -72,12 +76,14 @@ def local_algebra(
     )
 
 
-def _hilbert(spanning: Sequence[dict[int, int]], n: int, depth: int) -> tuple[int, ...]:
+def _hilbert(
+    spanning: Sequence[dict[int, Any]], n: int, depth: int, field: NumberField | None
+) -> tuple[int, ...]:
     dimensions = [0]
     for degree in range(depth + 1):
         columns = JetSpace(n, 1, degree).columns  # columns are sorted by degree
         cut = [short for row in spanning if (short := {c: v for c, v in row.items() if c < columns})]
-        dimensions.append(annihilator(cut, columns).codimension)
+        dimensions.append(annihilator(cut, columns, field).codimension)
     return tuple(b - a for a, b in pairwise(dimensions))
 
 
@@ -126,7 +132,7 @@ def _decided(
     """The algebra; None if its dimension is infinite, as that of a tangent space of the group then is."""
     geometry = Geometry(germ, GROUPS[group])
     try:
-        return local_algebra(generators, germ.n, what, geometry, patience)
+        return local_algebra(generators, germ.n, what, geometry, patience, germ.field)
     finally:
         geometry.stop()
 
@@ -158,7 +164,7 @@ def ramification(germ: Germ, patience: Patience | None = None) -> LocalAlgebra:
     # for n ≥ p the minors are what R has no tangent vectors off, for n < p a locus of L
     geometry = Geometry(germ, GROUPS["R" if n >= p else "L"], ("module" if n >= p else "rank",))
     try:
-        found = local_algebra(minors, n, "ramification algebra", geometry, patience)
+        found = local_algebra(minors, n, "ramification algebra", geometry, patience, germ.field)
     finally:
         geometry.stop()
     if found is None:

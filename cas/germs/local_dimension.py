@@ -12,16 +12,23 @@ ideal of the generators lies in that of the basis, whose zeros have dimension |S
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from itertools import combinations, combinations_with_replacement
 from math import lcm
 from typing import Any
 
 from flint import Ordering, fmpz, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
-Terms = dict[tuple[int, ...], int]
+from osculant.cas.germs.algebraic import Algebraic, NumberField
+from osculant.cas.germs.model import split
+
+#: whole numbers, or numbers of a number field, by exponents
+Terms = dict[tuple[int, ...], Any]
 
 
-def large_zeros(context: Any, generators: Sequence[Any], least: int, apart: bool) -> dict[str, Any] | None:
+def large_zeros(
+    context: Any, generators: Sequence[Any], least: int, apart: bool, field: NumberField | None = None
+) -> dict[str, Any] | None:
     """A certificate that the zeros have that dimension at the origin, or None if they have not.
 
     Args:
@@ -29,6 +36,7 @@ def large_zeros(context: Any, generators: Sequence[Any], least: int, apart: bool
         generators: polynomials over ℚ.
         least: the dimension.
         apart: zeros on the hyperplane where the last variable is 0 do not count.
+        field: the number field whose generator is one more variable behind, if there is one.
 
     It may take for ever: run it where it can be stopped.
 
@@ -40,29 +48,30 @@ def large_zeros(context: Any, generators: Sequence[Any], least: int, apart: bool
     >>> large_zeros(R, [x**2, y**2 + x*y**2], 1, False) is None
     True
     """
-    n = context.nvars()
-    given = [_integral(f) for f in generators if not f.is_zero()]
+    n = context.nvars() - (field is not None)
+    given = [g for f in generators if (g := _integral(f) if field is None else split(f, field))]
     if any((0,) * n in f for f in given):
         return None
     if not apart:
         if n - len(given) >= least:
             return {"proof": "count"}
-        if n - 1 >= least and (found := _common_factor(context, generators)) is not None:
+        if field is None and n - 1 >= least and (found := _common_factor(context, generators)) is not None:
             return _certificate([_homogeneous(found)], n, least)
         if given and n - 1 < least:
             return None
-        return _certificate(_basis([_homogeneous(f) for f in given]), n, least)
-    divided = _divided(given)
+        return _certificate(_basis([_homogeneous(f) for f in given], field), n, least)
+    divided = _divided(given, field)
     if any((0,) * n in f for f in divided):
         return None
-    basis = _basis([_homogeneous(f) for f in (*given, *divided)])
+    basis = _basis([_homogeneous(f) for f in (*given, *divided)], field)
     found_ = _certificate(basis, n, least)
     if found_ is None:
         return None
     # the zeros on ℓ = 0 must be smaller: forms that, with ℓ, leave the origin alone
     forms = [[int(j == i) + (j + 2) * k % 5 for j in range(n)] for k, i in enumerate(range(1, least))]
     at_one = [{m[1:]: c for m, c in f.items()} for f in basis]
-    order = isolated(at_one + [_form([0] * (n - 1) + [1])] + [_form(f) for f in forms], n)
+    every = at_one + [_form([0] * (n - 1) + [1])] + [_form(f) for f in forms]
+    order = isolated(every, n) if field is None else isolated(_residues(every), n, prime=field.split[0])
     return None if order is None else {**found_, "apart": {"forms": forms, "order": order}}
 
 
@@ -95,7 +104,58 @@ def _common_factor(context: Any, generators: Sequence[Any]) -> Terms | None:
     return min((f for f in factors if (0,) * context.nvars() not in f), key=len)
 
 
-def _basis(forms: Sequence[Terms], ordering: Any = Ordering.deglex) -> list[Terms]:
+def _residues(generators: Sequence[Terms]) -> list[Terms]:
+    return [
+        {m: c.residue() if isinstance(c, Algebraic) else c.numerator for m, c in _whole(f).items()}
+        for f in generators
+    ]
+
+
+def _whole(f: Terms) -> Terms:
+    """A multiple whose numbers have no denominators."""
+    common = lcm(*(c.denominator for c in f.values()))
+    return {m: c * common for m, c in f.items()}
+
+
+def _basis(forms: Sequence[Terms], field: NumberField | None = None) -> list[Terms]:
+    """A Gröbner basis of homogeneous forms: of terms of one degree that with higher first exponents leads."""
+    if field is None:
+        return _groebner(forms, Ordering.deglex)
+    # the generator of the field comes last in a lexicographic order
+    return _of_field(
+        _groebner([*map(_spread, forms), _minimal(field, len(next(iter(forms[0]))))], Ordering.lex), field
+    )
+
+
+def _spread(f: Terms) -> Terms:
+    """A form over a field as one over ℤ with the generator as one more variable, the last."""
+    found: Terms = {}
+    for m, c in _whole(f).items():
+        parts = c.coefficients() if isinstance(c, Algebraic) else (c,)
+        found |= {(*m, i): int(v) for i, v in enumerate(parts) if v}
+    return found
+
+
+def _minimal(field: NumberField, width: int) -> Terms:
+    """The polynomial of the generator of a field, behind so many other variables."""
+    coefficients = field.polynomial.coeffs()
+    common = lcm(*(int(c.q) for c in coefficients))
+    return {(*([0] * width), i): int((c * common).p) for i, c in enumerate(coefficients) if c != 0}
+
+
+def _of_field(basis: Sequence[Terms], field: NumberField) -> list[Terms]:
+    """Polynomials with the generator as the last variable over the field; those that are 0 are left out."""
+    found = []
+    for f in basis:
+        parts: dict[tuple[int, ...], Any] = {}
+        for m, c in f.items():
+            parts[m[:-1]] = parts.get(m[:-1], Fraction(0)) + field.generator ** m[-1] * Fraction(c)
+        if kept := {m: c for m, c in parts.items() if c}:
+            found.append(kept)
+    return found
+
+
+def _groebner(forms: Sequence[Terms], ordering: Any) -> list[Terms]:
     size = len(next(iter(forms[0])))
     context = fmpz_mpoly_ctx.get([f"v{i}" for i in range(size)], ordering)
     given = fmpz_mpoly_vec([context.from_dict({m: fmpz(c) for m, c in f.items()}) for f in forms], context)
@@ -103,9 +163,11 @@ def _basis(forms: Sequence[Terms], ordering: Any = Ordering.deglex) -> list[Term
     return [{tuple(map(int, m)): int(c) for m, c in b.to_dict().items()} for b in found if not b.is_zero()]
 
 
-def _divided(generators: Sequence[Terms]) -> list[Terms]:
+def _divided(generators: Sequence[Terms], field: NumberField | None) -> list[Terms]:
     """Generators of the ideal divided by the powers of the last variable."""
-    forms = _basis([_homogeneous(f) for f in generators], Ordering.degrevlex)
+    if field is not None:
+        return _divided_over(generators, field)
+    forms = _groebner([_homogeneous(f) for f in generators], Ordering.degrevlex)
     found = []
     for f in forms:
         power = min(m[-1] for m in f)
@@ -114,6 +176,26 @@ def _divided(generators: Sequence[Terms]) -> list[Terms]:
             at_one[(*m[1:-1], m[-1] - power)] = c
         found.append(at_one)
     return found
+
+
+def _divided_over(generators: Sequence[Terms], field: NumberField) -> list[Terms]:
+    """The same over a field: its generator a is a variable; b makes polynomials homogeneous in a, b."""
+    width = len(next(iter(generators[0])))
+    forms = []
+    for f in [*map(_spread, generators), _minimal(field, width)]:
+        top, high = max(sum(m[:-1]) for m in f), max(m[-1] for m in f)
+        forms.append(
+            {(m[-1], high - m[-1], top - sum(m[:-1]), *m[:-1]): c for m, c in f.items()}
+        )  # a, b, t, x, the last variable behind
+    divided = []
+    for f in _groebner(forms, Ordering.degrevlex):
+        power = min(m[-1] for m in f)
+        at_one: Terms = {}
+        for m, c in f.items():
+            key = (*m[3:-1], m[-1] - power, m[0])
+            at_one[key] = at_one.get(key, 0) + c
+        divided.append(at_one)
+    return _of_field(divided, field)
 
 
 def _certificate(basis: list[Terms], n: int, least: int) -> dict[str, Any] | None:

@@ -25,9 +25,8 @@ from itertools import combinations
 from math import comb
 from typing import Any
 
-from flint import fmpq
-
-from osculant.cas.germs.model import Model, polynomial, ring
+from osculant.cas.germs.linear import rank
+from osculant.cas.germs.model import Model, polynomial, ring, split
 from osculant.cas.germs.normal_form import NormalForm, normal_form
 from osculant.cas.germs.schemes import divided_differences, expected, partitions
 
@@ -148,29 +147,28 @@ def _on_boundary(model: Model, u: int) -> Iterator[Locus]:
 
 
 def _multiple(model: Model, form: NormalForm, where: dict[str, Any]) -> Iterator[Locus]:
-    n, p, names = model.n, len(model.components), model.context.names()
+    n, p = model.n, len(model.components)
     told = {
         "kind": "multiple",
-        "source": [terms(f) for f in form.source],
+        "source": [terms(f, model) for f in form.source],
         "target": [[str(v) for v in row] for row in form.target],
         **where,
     }
     for parts in partitions(n, p):
         e, here = expected(n, p, parts), {**told, "parts": list(parts)}
-        yield Locus(here, max(e, 0) + 1, partial(_scheme, form, names, parts, 0))
+        yield Locus(here, max(e, 0) + 1, partial(_scheme, model, form, parts, 0))
         if e > 0:
             equations = (p - n + 1) * (sum(parts) - 1)
-            yield Locus({**here, "singular": True}, 1, partial(_scheme, form, names, parts, equations))
+            yield Locus({**here, "singular": True}, 1, partial(_scheme, model, form, parts, equations))
 
 
-def _scheme(
-    form: NormalForm, names: Sequence[str], parts: tuple[int, ...], equations: int
-) -> tuple[Any, list[Any]]:
+def _scheme(model: Model, form: NormalForm, parts: tuple[int, ...], equations: int) -> tuple[Any, list[Any]]:
     """A multiple-point scheme; with the number of its equations its singular points."""
-    context, found = divided_differences(form.functions, names, parts)
+    context, found = divided_differences(form.functions, model.context.names()[: model.n], parts, model.field)
     if equations:
-        rows = [[f.derivative(i) for i in range(context.nvars())] for f in found]
-        found = found + minors(rows, equations, Model(context, len(names), (), ()))
+        width = context.nvars() - len(model.constants)
+        rows = [[f.derivative(i) for i in range(width)] for f in found]
+        found = found + minors(rows, equations, Model(context, width, (), ()))
     return context, found
 
 
@@ -197,9 +195,10 @@ def minors(rows: Sequence[Sequence[Any]], size: int, model: Model) -> list[Any]:
     return found
 
 
-def terms(f: Any) -> list[list[Any]]:
+def terms(f: Any, model: Model) -> list[list[Any]]:
     """A polynomial as plain data: [exponents…, coefficient as text] for every term."""
-    return [[*map(int, e), str(c)] for e, c in f.to_dict().items()]
+    found = f.to_dict() if model.field is None else split(f, model.field)
+    return [[*map(int, e), str(c)] for e, c in found.items()]
 
 
 def _gradients(model: Model) -> list[list[Any]]:
@@ -217,11 +216,7 @@ def _rank(model: Model, r: int) -> list[Any]:
 
 
 def _rank_at_origin(model: Model) -> int:
-    from flint import fmpq_mat
-
-    zero = (0,) * model.context.nvars()
-    rows = [[g.to_dict().get(zero, fmpq(0)) for g in row] for row in _gradients(model)]
-    return int(fmpq_mat(len(rows), model.n, [v for row in rows for v in row]).rank())
+    return rank([[model.at_origin(g) for g in row] for row in _gradients(model)], model.n)
 
 
 def _singular(model: Model, codimension: int) -> tuple[Any, list[Any]]:
@@ -240,15 +235,15 @@ def _double(model: Model, of: str, boundary: int | None) -> tuple[Any, list[Any]
     """Pairs x, x′ in the unknowns x, dᵢ = xᵢ − x′ᵢ (i ≥ 2) and ℓ = Σ cᵢdᵢ; c₁ = 1."""
     n, p = model.n, len(model.components)
     names = model.context.names()[:n]
-    context = ring([*names, *(f"d{i + 1}" for i in range(1, n)), "l"])
-    gens = list(context.gens())
+    context = ring([*names, *(f"d{i + 1}" for i in range(1, n)), "l"], model.field)
+    gens, constants = list(context.gens())[: 2 * n], list(context.gens())[2 * n :]
     here = gens[:n]
     differences = [gens[-1] - sum((c * d for c, d in zip(FORM[1:n], gens[n:-1])), context.constant(0))]
     differences += gens[n:-1]
     there = [a - d for a, d in zip(here, differences)]
 
     def at(f: Any, point: list[Any]) -> Any:
-        return f.compose(*point, ctx=context)
+        return f.compose(*point, *constants, ctx=context)
 
     found = [at(a, here) * at(b, there) - at(a, there) * at(b, here) for a, b in model.components]
     double = Model(context, n, (), ())

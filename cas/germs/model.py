@@ -13,18 +13,22 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from flint import Ordering, fmpq, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpq_poly
 
 from osculant.cas.errors import DomainError, OsculantError
 from osculant.cas.formulas.expression import Node
 from osculant.cas.formulas.graph import topological
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.germ import Germ, expanded
+from osculant.cas.germs.algebraic import Algebraic, NumberField, rational
+from osculant.cas.germs.expansion import moving_nodes
+from osculant.cas.germs.germ import Germ
 
 #: degree of the polynomials of a model at most
 DEGREE = 400
 #: higher powers of units are functions, as those with other exponents are
 HIGH = 100
+#: the name of the generator of a number field as a variable: no variable of a formula has it
+GENERATOR = "_r"
 #: a rational function: numerator, denominator (a unit at the origin)
 Quotient = tuple[Any, Any]
 
@@ -59,6 +63,7 @@ class Model:
         n: the source dimension.
         components: numerators and denominators.
         rules: for each function its partial derivatives by the source variables, over one denominator.
+        field: the number field of the coefficients: its generator is the last variable; None for ℚ.
 
     >>> model = model_of(Germ("x, y**3*exp(x)", "x y"))
     >>> model.extra, [str(f) for f in model.gradient(1)]
@@ -69,6 +74,7 @@ class Model:
     n: int
     components: tuple[Quotient, ...]
     rules: tuple[tuple[tuple[Any, ...], Any], ...]
+    field: NumberField | None = None
 
     @property
     def extra(self) -> int:
@@ -79,6 +85,20 @@ class Model:
     def variables(self) -> list[Any]:
         """All variables, those of the source first."""
         return list(self.context.gens())
+
+    @property
+    def constants(self) -> list[Any]:
+        """The generator of the number field as a variable, if there is one."""
+        return [] if self.field is None else self.variables[-1:]
+
+    def at_origin(self, f: Any, exponents: tuple[int, ...] = ()) -> Any:
+        """The number before a power product of the source variables: by default the value at the origin."""
+        width = self.context.nvars() - len(self.constants)
+        wanted = (*exponents, *([0] * (width - len(exponents))))
+        if self.field is None:
+            c = f.to_dict().get(wanted, fmpq(0))
+            return Fraction(int(c.p), int(c.q))
+        return split(f, self.field).get(wanted, Fraction(0))
 
     def derivatives(self, f: Any) -> list[Any]:
         """The partial derivatives of a polynomial by the source variables, all times one unit."""
@@ -125,11 +145,26 @@ class Model:
         moved = tuple(
             (a.compose(*images, ctx=context), b.compose(*images, ctx=context)) for a, b in self.components
         )
-        return Model(context, self.n - 1, moved, ())
+        return Model(context, self.n - 1, moved, (), self.field)
 
 
-def ring(names: Sequence[str]) -> Any:
-    """The polynomials over ℚ in variables of these names."""
+def split(f: Any, field: NumberField) -> dict[tuple[int, ...], Any]:
+    """A polynomial whose last variable is the generator of a field, as one over the field."""
+    parts: dict[tuple[int, ...], dict[int, fmpq]] = {}
+    for m, c in f.to_dict().items():
+        parts.setdefault(tuple(map(int, m[:-1])), {})[int(m[-1])] = c
+    found = {}
+    for m, powers in parts.items():
+        value = field.number(fmpq_poly([powers.get(i, fmpq(0)) for i in range(max(powers) + 1)]))
+        if value:
+            found[m] = value
+    return found
+
+
+def ring(names: Sequence[str], field: NumberField | None = None) -> Any:
+    """The polynomials over ℚ in variables of these names, and the generator of a field, if there is one."""
+    if field is not None:
+        names = [*names, GENERATOR]
     return fmpq_mpoly_ctx.get(list(names), Ordering.degrevlex)
 
 
@@ -137,19 +172,26 @@ def model_of(germ: Germ) -> Model | None:
     """The model of a germ; None if a function in it has none here (abs, asin, …), or for a high degree."""
     jet = germ.polynomial(poly.LARGEST)
     if jet is not None:
-        context = ring(germ.source)
+        context = ring(germ.source, germ.field)
         one = context.constant(1)
-        return Model(context, germ.n, tuple((polynomial(f, context, germ.n), one) for f in jet), ())
+        components = tuple((polynomial(f, context, germ.n), one) for f in jet)
+        return Model(context, germ.n, components, (), germ.field)
     return _Reading(germ).model()
 
 
 def polynomial(f: poly.Polynomial, context: Any, n: int) -> Any:
-    """A polynomial of this room as one of the ring, whose first n variables are its own."""
+    """A polynomial of this room as one of the ring, whose first n variables are its own.
+
+    The last variable is the generator of the number field of the coefficients, if there is one.
+    """
     rest = (0,) * (context.nvars() - n)
     terms = {}
     for m, c in f.items():
-        q = Fraction(c)
-        terms[(*poly.exponents_of(m, n), *rest)] = fmpq(q.numerator, q.denominator)
+        parts = c.coefficients() if isinstance(c, Algebraic) else (Fraction(c),)
+        for i, part in enumerate(parts):
+            if part:
+                power = (*rest[1:], i) if i else rest
+                terms[(*poly.exponents_of(m, n), *power)] = rational(part)
     return context.from_dict(terms)
 
 
@@ -158,27 +200,31 @@ class _Reading:
 
     def __init__(self, germ: Germ) -> None:
         self.germ = germ
-        self.nodes = topological(germ.components)
+        self.nodes, self.moving = topological(germ.components), moving_nodes(germ.components, germ.source)
         high = [node for node in self.nodes if node.kind == "pow" and abs(node.value) > HIGH]
-        bases = [f.get(0, 0) for f in expanded(tuple(node.args[0] for node in high), germ.source, 0)]
+        bases = [f.get(0, 0) for f in germ.expanded(tuple(node.args[0] for node in high), 0)]
         self.high = {node for node, base in zip(high, bases) if base}
         self.keys: dict[tuple[str, Node], int] = {}
         for node in self.nodes:
             for key in self.functions(node):
                 self.keys.setdefault(key, len(self.keys))
         names = [*germ.source, *(f"_{k}" for k in range(len(self.keys)))]
-        self.context = ring(names)
+        self.context = ring(names, germ.field)
         self.gens = list(self.context.gens())
 
     def whole(self, node: Node) -> bool:
         """Whether a node is a power that is multiplied out."""
         return node.kind == "pow" and node.value.denominator == 1 and node not in self.high
 
+    def constant(self, node: Node) -> bool:
+        """Whether a node is a function of numbers."""
+        return node.kind in {"call", "pow"} and node not in self.moving
+
     def functions(self, node: Node) -> list[tuple[str, Node]]:
         """The function that a node needs as a variable, if it needs one."""
-        if node.kind == "pow" and not self.whole(node):
+        if node.kind == "pow" and not self.whole(node) and not self.constant(node):
             return [(f"^{node.value}", node.args[0])]
-        if node.kind != "call":
+        if node.kind != "call" or self.constant(node):
             return []
         name = f"^{ROOTS[node.value]}" if node.value in ROOTS else node.value
         return [(HALVES[name][0] if name in HALVES else name, node.args[0])]
@@ -195,11 +241,12 @@ class _Reading:
                 values[node] = self.quotient(node, args, rules)
         except (KeyError, OsculantError):
             return None
-        draft = Model(self.context, self.germ.n, tuple(values[f] for f in self.germ.components), ())
+        field = self.germ.field
+        draft = Model(self.context, self.germ.n, tuple(values[f] for f in self.germ.components), (), field)
         done: list[tuple[tuple[Any, ...], Any]] = []
         for k in range(len(self.keys)):  # a function's argument has only functions before it
             argument, derivative = rules[k]
-            inner = Model(self.context, self.germ.n, (values[argument],), tuple(done))
+            inner = Model(self.context, self.germ.n, (values[argument],), tuple(done), field)
             unit = inner.one
             for _, denominator in done:
                 unit = unit * denominator
@@ -208,12 +255,14 @@ class _Reading:
             if values[argument][1].is_constant():  # the gradient was not multiplied by its square
                 above, bottom = above / values[argument][1].leading_coefficient(), below * unit
             done.append((tuple(above * g for g in inner.gradient(0)), bottom))
-        return Model(draft.context, draft.n, draft.components, tuple(done))
+        return Model(draft.context, draft.n, draft.components, tuple(done), field)
 
     def quotient(self, node: Node, args: list[Quotient], rules: dict[int, Any]) -> Quotient:
         one = self.context.constant(1)
-        if node.kind == "number":
-            return self.context.constant(fmpq(node.value.numerator, node.value.denominator)), one
+        if node.kind == "number" or self.constant(node):
+            return self.number(node), one
+        if node.kind == "variable" and node.value not in self.germ.source:
+            return self.gens[-1], one  # the stated root
         if node.kind == "variable":
             return self.gens[self.germ.source.index(node.value)], one
         if node.kind in {"add", "sub"}:
@@ -237,7 +286,7 @@ class _Reading:
         ((name, inner),) = self.functions(node)
         one, k = self.context.constant(1), self.keys[name, inner]
         variable = self.gens[self.germ.n + k]
-        value = (variable + self.context.constant(self.start(name, inner)), one)
+        value = (variable + self.start(name, inner), one)
         if name.startswith("^"):
             r = Fraction(name[1:])
             factor = fmpq(r.numerator, r.denominator)
@@ -246,15 +295,18 @@ class _Reading:
             rules[k] = inner, lambda a: RULES[name](a, value)
         return HALVES[node.value][1](variable, one) if node.kind == "call" and node.value in HALVES else value
 
-    def start(self, name: str, inner: Node) -> fmpq:
-        """The value of the function at the origin; an OsculantError if it is not rational."""
+    def number(self, node: Node) -> Any:
+        """The value of a node at the origin as a polynomial; an OsculantError if it is not in the field."""
+        c = self.germ.expanded((node,), 0)[0].get(0, 0)
+        return polynomial({0: c} if c else {}, self.context, self.germ.n)
+
+    def start(self, name: str, inner: Node) -> Any:
+        """The value of the function at the origin; an OsculantError if it is not in the field."""
         from osculant.cas.formulas.expression import call, number, power
 
         if name in {"half", "halfh"}:  # other angles have no rational sines
-            at = Fraction(expanded((inner,), self.germ.source, 0)[0].get(0, 0))
-            if at:
+            if at := self.germ.expanded((inner,), 0)[0].get(0, 0):
                 raise DomainError(f"A function has no rational value at {at}.")
-            return fmpq(0)
+            return self.context.constant(0)
         node = power(inner, number(Fraction(name[1:]))) if name.startswith("^") else call(name, inner)
-        value = Fraction(expanded((node,), self.germ.source, 0)[0].get(0, 0))
-        return fmpq(value.numerator, value.denominator)
+        return self.number(node)

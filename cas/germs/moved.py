@@ -8,12 +8,18 @@ from fractions import Fraction
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import Node, number, variable
 from osculant.cas.formulas.graph import substitute
-from osculant.cas.germs.germ import Germ, as_node, expanded
+from osculant.cas.germs.algebraic import NumberField
+from osculant.cas.germs.expansion import as_node, values_at_origin
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.polynomials import LARGEST
 
 
 def moved(
-    components: Sequence[Node], source: Sequence[str], point: Sequence[Fraction], boundary: str | None = None
+    components: Sequence[Node],
+    source: Sequence[str],
+    point: Sequence[Fraction],
+    boundary: str | None = None,
+    field: NumberField | None = None,
 ) -> Germ:
     """The germ of f at a point as a germ at the origin, x ↦ f(a + x) − f(a); polynomials are expanded.
 
@@ -22,6 +28,7 @@ def moved(
         source: the names of the source variables, in order.
         point: the coordinates a of the point, as many.
         boundary: as for `Germ`; the point must lie on H = {u = 0}.
+        field: the number field of the coefficients, if it is stated.
 
     Raises DomainError for a wrong number of coordinates, for a point off H or where f is not analytic or has
     Taylor coefficients that are not rational, and for what `Germ` refuses.
@@ -34,7 +41,7 @@ def moved(
     if len(point) != len(names):
         count = f"{len(point)} coordinate{'s'[: len(point) != 1]}"
         raise DomainError(f"at: {count} for {len(names)} source variables: give one for each.", argument="at")
-    origin = Germ([variable(name) for name in names], names, boundary)  # refuses the names
+    origin = Germ([variable(name) for name in names], names, boundary, field)  # refuses the names
     u = origin.boundary
     if u is not None and (height := point[names.index(u)]):
         raise DomainError(
@@ -44,7 +51,12 @@ def moved(
         )
     shifts = {name: variable(name) + number(a) for name, a in zip(names, point)}
     shifted = tuple(substitute(components, shifts))
-    values = [f.get(0, 0) for f in expanded(shifted, names, 0)]
-    germ = Germ([f - number(c) for f, c in zip(shifted, values)], names, boundary)
+    # a function f − f(a) that is written so is 0 at the origin, whatever number f(a) is
+    values, field = values_at_origin(shifted, names, field)
+    germ = Germ([f - c for f, c in zip(shifted, values)], names, boundary, field)
     jet = germ.polynomial(LARGEST)
-    return germ if jet is None else Germ([as_node(f, names) for f in jet], names, boundary)
+    return (
+        germ
+        if jet is None
+        else Germ([as_node(f, names, germ.field) for f in jet], names, boundary, germ.field)
+    )

@@ -12,6 +12,7 @@ from typing import Any
 
 from flint import fmpq, fmpq_mat
 
+from osculant.cas.germs.algebraic import Algebraic, rational
 from osculant.cas.germs.model import Model
 
 #: degree of the polynomials of a change at most
@@ -39,7 +40,9 @@ def normal_form(model: Model) -> NormalForm | None:
     n, p = model.n, len(model.components)
     if model.rules or p < n:
         return None
-    linear = [[_value(a, b) for a in _linear(f, n)] for f, b in model.components]
+    linear = [_linear(f, b, model) for f, b in model.components]
+    if any(isinstance(c, Algebraic) for row in linear for c in row):
+        return None
     echelon, target = _reduced(linear, n)
     if sum(any(row) for row in echelon) != n - 1:
         return None
@@ -55,20 +58,19 @@ def normal_form(model: Model) -> NormalForm | None:
     source = _solved(first, leading, kernel, model)
     if source is None:
         return None
-    context = model.context
+    context, images = model.context, (*source, *model.constants)
     functions = tuple(
-        (a.compose(*source, ctx=context), b.compose(*source, ctx=context)) for a, b in moved[n - 1 :]
+        (a.compose(*images, ctx=context), b.compose(*images, ctx=context)) for a, b in moved[n - 1 :]
     )
     return NormalForm(tuple(source), tuple(map(tuple, target)), functions)
 
 
-def _linear(f: Any, n: int) -> list[fmpq]:
-    return [f.to_dict().get(tuple(int(i == j) for i in range(n)), fmpq(0)) for j in range(n)]
-
-
-def _value(c: fmpq, denominator: Any) -> fmpq:
-    value: fmpq = c / denominator.to_dict()[(0,) * len(denominator.context().gens())]
-    return value
+def _linear(f: Any, denominator: Any, model: Model) -> list[Any]:
+    """The derivatives at the origin, as fmpq where they are rational."""
+    below = model.at_origin(denominator)
+    axes = [tuple(int(i == j) for i in range(model.n)) for j in range(model.n)]
+    values = [model.at_origin(f, axis) / below for axis in axes]
+    return [v if isinstance(v, Algebraic) else rational(v) for v in values]
 
 
 def _sum(parts: list[tuple[Any, Any]], model: Model) -> tuple[Any, Any]:
@@ -102,7 +104,7 @@ def _solved(first: list[Any], leading: list[int], kernel: int, model: Model) -> 
     for _ in range(n + 2):
         following = list(start)
         for i, j in enumerate(leading):
-            following[j] = gens[i] - rest[i].compose(*found, ctx=context)
+            following[j] = gens[i] - rest[i].compose(*found, *model.constants, ctx=context)
             if following[j].total_degree() > DEGREE:
                 return None
         if following == found:

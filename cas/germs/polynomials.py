@@ -1,4 +1,4 @@
-"""Polynomials in several variables, cut above a total degree: dictionaries from monomials to rationals.
+"""Polynomials in several variables, cut above a total degree: dictionaries from monomials to exact numbers.
 
 A monomial xᵅ is one integer: the exponents in fields of `BITS` bits and the total degree above them, so that
 the product of monomials is the sum of their integers and the degree is a shift away. The degree may count the
@@ -9,15 +9,16 @@ weight.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations_with_replacement
+from typing import Any
 
 #: bits of one exponent: degrees up to `LARGEST`
 BITS = 12
 LARGEST = (1 << BITS) - 1
 
-Number = int | Fraction
+#: an int, a Fraction or an `osculant.cas.germs.algebraic.Algebraic`
+Number = Any
 Polynomial = dict[int, Number]
 
 

@@ -20,7 +20,8 @@ from typing import Any
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_constant
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.germ import Germ, as_node
+from osculant.cas.germs.expansion import as_node
+from osculant.cas.germs.germ import Germ
 
 #: the reference lists, in the order in which they are shown
 NAMES = (

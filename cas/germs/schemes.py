@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
+from osculant.cas.germs.algebraic import NumberField
 from osculant.cas.germs.model import ring
 
 #: the largest N, and the most unknowns, that are tried
@@ -58,9 +59,14 @@ def _partitions(size: int, largest: int) -> Iterator[tuple[int, ...]]:
 
 
 def divided_differences(
-    functions: Sequence[tuple[Any, Any]], names: Sequence[str], parts: Sequence[int]
+    functions: Sequence[tuple[Any, Any]],
+    names: Sequence[str],
+    parts: Sequence[int],
+    field: NumberField | None = None,
 ) -> tuple[Any, list[Any]]:
     """(the ring of x, y₁, …, y_s; the equations) for functions g = a/b of x and y, names the old variables'.
+
+    Over a number field its generator is the last variable of all rings.
 
     >>> R = ring(["x", "y"])
     >>> x, y = R.gens()
@@ -68,22 +74,25 @@ def divided_differences(
     ['3*y1^2 + x']
     """
     size, m = sum(parts), len(names) - 1
-    free = ring([*names[:m], *(f"y{i + 1}" for i in range(size))])
+    free = ring([*names[:m], *(f"y{i + 1}" for i in range(size))], field)
     gens = list(free.gens())
-    x, nodes = gens[:m], gens[m:]
-    small = ring([*names[:m], *(f"y{i + 1}" for i in range(len(parts)))])
+    x, nodes, last = gens[:m], gens[m : m + size], gens[m + size :]
+    small = ring([*names[:m], *(f"y{i + 1}" for i in range(len(parts)))], field)
     short = list(small.gens())
+    merged_last = short[m + len(parts) :]
     merged = [short[m + i] for i, k in enumerate(parts) for _ in range(k)]
     equations = []
     for above, below in functions:
-        values = [(above.compose(*x, y, ctx=free), below.compose(*x, y, ctx=free)) for y in nodes]
+        values = [
+            (above.compose(*x, y, *last, ctx=free), below.compose(*x, y, *last, ctx=free)) for y in nodes
+        ]
         for order in range(1, size):
             values = [
                 ((b * c - a * d) // (nodes[i + order] - nodes[i]), c2)
                 for i, ((a, c), (b, d)) in enumerate(pairwise(values))
                 for c2 in [c * d]
             ]
-            equation = values[0][0].compose(*short[:m], *merged, ctx=small)
+            equation = values[0][0].compose(*short[:m], *merged, *merged_last, ctx=small)
             if not equation.is_zero():
                 equations.append(equation)
     return small, equations

@@ -15,19 +15,20 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from flint import fmpq, fmpq_mat
-
 from osculant.cas.formulas.expression import to_text
 from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.algebraic import exact
 from osculant.cas.germs.codimension import Tangent, independent_columns, tangent
-from osculant.cas.germs.germ import Germ, as_node
+from osculant.cas.germs.eigenvalues import factors, rational_root
+from osculant.cas.germs.expansion import as_node
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version
-from osculant.cas.germs.linear import null_space
+from osculant.cas.germs.linear import null_space, solution
 from osculant.cas.germs.linear_fields import LinearField, all_linear_fields, pairings
 from osculant.cas.germs.polynomials import Polynomial
 from osculant.cas.germs.tangent import JetSpace
 
-Matrix = list[list[Fraction]]
+Matrix = list[list[Any]]
 
 
 @dataclass(frozen=True)
@@ -109,11 +110,11 @@ class _Affine:
         self.dual = _right_inverse(matrix)
         self.functionals, self.values = functionals, values
 
-    def coordinates(self, paired: Sequence[Fraction]) -> list[Fraction]:
+    def coordinates(self, paired: Sequence[Any]) -> list[Any]:
         """The coordinates on Q of an element of H^k from its values on the functionals."""
         return [_dot(weights, paired) for weights in self.dual]
 
-    def affine(self) -> list[tuple[list[Fraction], Matrix]]:
+    def affine(self) -> list[tuple[list[Any], Matrix]]:
         """(c, λ) for every element of a basis of the fields E."""
         size = len(self.columns)
         # field × column × coordinate
@@ -134,21 +135,21 @@ class _Affine:
             found.append((self.coordinates(paired), linear))
         return found
 
-    def _pair(self, field: LinearField, column: int) -> list[Fraction]:
+    def _pair(self, field: LinearField, column: int) -> list[Any]:
         """The functionals on a field applied to a term of degree k."""
         m, j = self.space.term(column)
         vector = field.applied(tuple({m: 1} if i == j else {} for i in range(self.space.p)), self.space.n)
         row = self.space.row(vector, self.space.place())
         return [sum((v * f[c] for c, v in row.items() if c in f), Fraction(0)) for f in self.functionals]
 
-    def here(self) -> list[Fraction]:
+    def here(self) -> list[Any]:
         """The coordinates on Q of f itself."""
         top = tuple(
             {m: c for m, c in f.items() if poly.degree_of(m, self.germ.n) == self.k}
             for f in self.germ.jet(self.k)
         )
         place, p = self.space.place(), self.space.p
-        entries = {p * place[m] + j: Fraction(c) for j, f in enumerate(top) for m, c in f.items()}
+        entries = {p * place[m] + j: exact(c) for j, f in enumerate(top) for m, c in f.items()}
         return self.coordinates(
             [
                 sum((v * entries[c] for c, v in f.items() if c in entries), Fraction(0))
@@ -162,7 +163,7 @@ class _Affine:
         if not size or not fields:
             return []
         points = []
-        every = _solution(
+        every = solution(
             [row for _, linear in fields for row in linear], [-c for own, _ in fields for c in own], size
         )
         if every is not None:
@@ -180,22 +181,23 @@ class _Affine:
             offsets = [
                 b - sum((a * s for a, s in zip(row, start)), Fraction(0)) for row, b in zip(rows, right)
             ]
-            step = _solution(rows, offsets, size)
+            step = solution(rows, offsets, size)
             if step is not None:
                 points.append([s + d for s, d in zip(start, step)])
         return [self.germ_at(point) for point in points]
 
-    def germ_at(self, point: Sequence[Fraction]) -> Germ:
+    def germ_at(self, point: Sequence[Any]) -> Germ:
         """The germ j + Σ qᵢ tᵢ."""
         jet: list[Polynomial] = [dict(f) for f in self.lower.jet(self.k - 1)]
         for value, column in zip(point, self.columns):
             m, j = self.space.term(column)
             if value:
                 jet[j][m] = value
-        return Germ([as_node(f, self.germ.source) for f in jet], self.germ.source, self.germ.boundary)
+        nodes = [as_node(f, self.germ.source, self.germ.field) for f in jet]
+        return Germ(nodes, self.germ.source, self.germ.boundary, self.germ.field)
 
 
-def _dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
+def _dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
     return sum((x * y for x, y in zip(a, b) if x and y), Fraction(0))
 
 
@@ -206,42 +208,23 @@ def _right_inverse(matrix: Matrix) -> Matrix:
     width = len(matrix[0])
     found = []
     for i in range(len(matrix)):
-        solution = _solution(matrix, [Fraction(int(i == c)) for c in range(len(matrix))], width)
-        assert solution is not None
-        found.append(solution)
+        weights = solution(matrix, [Fraction(int(i == c)) for c in range(len(matrix))], width)
+        assert weights is not None
+        found.append(weights)
     return found
 
 
-def _solution(rows: Matrix, right: Sequence[Fraction], size: int) -> list[Fraction] | None:
-    """A solution of rows·x = right, 0 on the free coordinates; None if there is none."""
-    flat: list[Any] = []
-    for row, b in zip(rows, right):
-        flat += [fmpq(v.numerator, v.denominator) for v in (*row, b)]
-    if not rows:
-        return [Fraction(0)] * size
-    form, rank = fmpq_mat(len(rows), size + 1, flat).rref()
-    found = [Fraction(0)] * size
-    for i in range(rank):
-        lead = next(j for j in range(size + 1) if form[i, j] != 0)
-        if lead == size:
-            return None
-        found[lead] = Fraction(int(form[i, size].p), int(form[i, size].q))
-    return found
-
-
-def _eigenfunctions(matrices: Sequence[Matrix], size: int) -> list[list[Fraction]]:
+def _eigenfunctions(matrices: Sequence[Matrix], size: int) -> list[list[Any]]:
     """Common eigenvectors ψ of the transposed matrices, with rational eigenvalues."""
     generic = [
         [sum(((7 * n + 3) * m[r][c] for n, m in enumerate(matrices)), Fraction(0)) for r in range(size)]
         for c in range(size)
     ]
-    flat = [fmpq(v.numerator, v.denominator) for row in generic for v in row]
     found = []
-    for factor, _ in fmpq_mat(size, size, flat).charpoly().factor()[1]:
-        if factor.degree() != 1:
+    for factor, _ in factors(generic):
+        value = rational_root(factor)
+        if value is None:
             continue
-        root = -factor.coeffs()[0] / factor.coeffs()[1]
-        value = Fraction(int(root.p), int(root.q))
         shifted = [[v - (value if r == c else 0) for c, v in enumerate(row)] for r, row in enumerate(generic)]
         found += [
             psi
@@ -251,7 +234,7 @@ def _eigenfunctions(matrices: Sequence[Matrix], size: int) -> list[list[Fraction
     return found
 
 
-def _proportional(psi: Sequence[Fraction], matrix: Matrix, size: int) -> bool:
+def _proportional(psi: Sequence[Any], matrix: Matrix, size: int) -> bool:
     image = [sum((p * matrix[r][c] for r, p in enumerate(psi)), Fraction(0)) for c in range(size)]
     pivot = next(i for i, p in enumerate(psi) if p)
     return all(v * psi[pivot] == image[pivot] * p for v, p in zip(image, psi))

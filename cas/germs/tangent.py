@@ -11,9 +11,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from math import comb, lcm
-from typing import Literal
+from typing import Any, Literal
 
 from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.algebraic import Algebraic, exact
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Field, Group, Version
 from osculant.cas.germs.linear import null_space
@@ -68,11 +69,15 @@ class JetSpace:
         m, j = self.monomials[column // self.p], column % self.p
         return (poly.monomial(poly.exponents_of(m, self.n)) if self.weights else m), j
 
-    def row(self, vector: Vector, place: dict[int, int]) -> dict[int, int]:
-        """The vector as an integer row (a multiple of it, where it has denominators)."""
+    def row(self, vector: Vector, place: dict[int, int]) -> dict[int, Any]:
+        """The vector as a row of integers (a multiple of it), or of numbers of a number field."""
         entries = {self.p * place[m] + j: c for j, f in enumerate(vector) for m, c in f.items()}
         common = lcm(*{c.denominator for c in entries.values()})
-        return {column: int(c * common) for column, c in entries.items() if c}
+        return {
+            column: c * common if isinstance(c, Algebraic) else int(c * common)
+            for column, c in entries.items()
+            if c
+        }
 
 
 def along(jet: Vector, field: Field, n: int, order: int, weights: tuple[int, ...] = ()) -> Vector:
@@ -187,7 +192,7 @@ def _fields(germ: Germ, group: Group, version: Version) -> Iterator[tuple[Field,
         yield field, version
     # combinations of the other multiples may vanish to that order too
     terms = sorted({(m, j) for field in low for j, c in enumerate(field) for m in c if _below(m, n, version)})
-    conditions = [[Fraction(field[j].get(m, 0)) for field in low] for m, j in terms]
+    conditions = [[exact(field[j].get(m, 0)) for field in low] for m, j in terms]
     for weights in null_space(conditions, len(low)):
         total: list[Polynomial] = [{} for _ in range(n)]
         for weight, field in zip(weights, low):
@@ -210,7 +215,7 @@ def _units(f: Polynomial, p: int) -> Iterator[Vector]:
             yield tuple(f if i == j else {} for i in range(p))
 
 
-def rows(vectors_: Iterable[Vector], space: JetSpace) -> list[dict[int, int]]:
-    """The vectors as integer rows; zero vectors are left out."""
+def rows(vectors_: Iterable[Vector], space: JetSpace) -> list[dict[int, Any]]:
+    """The vectors as rows; zero vectors are left out."""
     place = space.place()
     return [row for v in vectors_ if (row := space.row(v, place))]

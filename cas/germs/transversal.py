@@ -67,7 +67,7 @@ def transversal(
                 f"The transversal in degree {k + 1} needs matrices of {columns} columns, more than {CAP}: "
                 "leave out the order of coordinates or take a lower degree."
             )
-        found = annihilator([row for row in rows if row], columns)
+        found = annihilator([row for row in rows if row], columns, germ.field)
         here = {c for c in top if weight[c] == level}
         chosen += independent_columns([{c: v for c, v in f.items() if c in here} for f in found.functionals])
     return tuple(space.term(c) for c in chosen)

@@ -77,7 +77,7 @@ def _beyond_constants(germ: Germ, g: Group, bound: int, velocities: Sequence[Vec
     contact = Group(g.name, g.source, "contact", g.fields)
     constants: list[Vector] = [tuple({0: 1} if i == j else {} for i in range(germ.p)) for j in range(germ.p)]
     spanning = [*vectors(germ, contact, Version.EXTENDED, space.order), *constants, *velocities]
-    return annihilator(rows(spanning, space), space.columns).codimension > 0
+    return annihilator(rows(spanning, space), space.columns, germ.field).codimension > 0
 
 
 def unfolding(
@@ -131,4 +131,4 @@ def _unfolded(germ: Germ, terms: tuple[Term, ...], parameter: str) -> Germ:
             term = term * variable(x) ** e if e else term
         components[j] = components[j] + term
     boundary = germ.boundary
-    return Germ([*map(variable, names), *components], (*names, *germ.source), boundary)
+    return Germ([*map(variable, names), *components], (*names, *germ.source), boundary, germ.field)

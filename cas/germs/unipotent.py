@@ -16,10 +16,12 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, islice, permutations
+from typing import Any
 
 from flint import nmod_mat
 
 from osculant.cas.germs.adapted import Frame
+from osculant.cas.germs.algebraic import Algebraic
 from osculant.cas.germs.annihilator import Functional
 from osculant.cas.germs.codimension import Tangent
 from osculant.cas.germs.linear import null_space
@@ -32,7 +34,7 @@ PRIME = 2**30 - 35
 
 Fields = tuple[LinearField, ...]
 #: of linear fields on the functionals
-Values = dict[LinearField, list[Fraction]]
+Values = dict[LinearField, list[Any]]
 
 
 class Choices:
@@ -48,6 +50,8 @@ class Choices:
         self.functionals = first.annihilator.functionals
         self._degrees = [self.space.plain_degree(c) for c in range(self.space.columns)]
         self._far: dict[int, list[list[int]]] = {}
+        field = first.germ.field
+        self.prime = PRIME if field is None else field.split[0]
 
     @cached_property
     def values(self) -> Values:
@@ -92,7 +96,7 @@ class Choices:
         kernel = null_space([values[f] for f in fields if f in values], len(self.functionals))
         return [_combined(vector, self.functionals) for vector in kernel]
 
-    def depth(self, vectors: Sequence[list[Fraction]]) -> int:
+    def depth(self, vectors: Sequence[list[Any]]) -> int:
         """m with M^{m+1}θ ⊂ T for T = T G₁ f and fields with these values, and no smaller m."""
         kernel = null_space(vectors, len(self.functionals))
         columns = {c for vector in kernel for c in _combined(vector, self.functionals)}
@@ -100,14 +104,15 @@ class Choices:
 
     def settles(self, vectors: Sequence[list[int]], k: int) -> bool:
         """Whether the depth is at most k, seen modulo a prime: quick, and nearly always right."""
-        return _rank([*vectors, *self._beyond(k)]) == _rank(vectors)
+        return _rank([*vectors, *self._beyond(k)], self.prime) == _rank(vectors, self.prime)
 
     def _beyond(self, k: int) -> list[list[int]]:
         """A basis, modulo a prime, of the functionals' entries on the columns of degree above k."""
         if k not in self._far:
             columns = {c for f in self.functionals for c in f if self._degrees[c] > k}
-            rows = [[residue(f.get(c, Fraction(0))) for f in self.functionals] for c in sorted(columns)]
-            self._far[k] = _echelon(rows)
+            p = self.prime
+            rows = [[residue(f.get(c, Fraction(0)), p) for f in self.functionals] for c in sorted(columns)]
+            self._far[k] = _echelon(rows, self.prime)
         return self._far[k]
 
     def raising(self, frame: Frame, k: int) -> tuple[Frame, Fields] | None:
@@ -128,7 +133,7 @@ class Choices:
         self, frame: Frame, k: int, sets: Callable[[Frame, Values], Iterator[Fields]]
     ) -> tuple[Frame, Fields] | None:
         values = self.moved(frame)
-        residues = {f: [residue(v) for v in vector] for f, vector in values.items()}
+        residues = {f: [residue(v, self.prime) for v in vector] for f, vector in values.items()}
 
         def enough(fields: Fields) -> bool:
             if not self.settles([residues[f] for f in fields], k):
@@ -184,26 +189,28 @@ def _by_order(values: Values) -> Iterator[Fields]:
             yield tuple(sorted((*one, *other), key=lambda f: (f.side, f.a, f.b)))
 
 
-def residue(value: Fraction) -> int:
-    """A rational number modulo `PRIME`; 0 where the prime is in its denominator."""
-    return value.numerator * pow(value.denominator, -1, PRIME) % PRIME if value.denominator % PRIME else 0
+def residue(value: Any, prime: int) -> int:
+    """A number modulo a prime, that of its field if it is not rational; 0 for one in its denominator."""
+    if isinstance(value, Algebraic):
+        return value.residue()
+    return value.numerator * pow(value.denominator, -1, prime) % prime if value.denominator % prime else 0
 
 
-def _echelon(rows: Sequence[Sequence[int]]) -> list[list[int]]:
+def _echelon(rows: Sequence[Sequence[int]], prime: int) -> list[list[int]]:
     if not rows:
         return []
     width = len(rows[0])
-    form, rank = nmod_mat(len(rows), width, [v for row in rows for v in row], PRIME).rref()
+    form, rank = nmod_mat(len(rows), width, [v for row in rows for v in row], prime).rref()
     return [[int(form[i, j]) for j in range(width)] for i in range(rank)]
 
 
-def _rank(rows: Sequence[Sequence[int]]) -> int:
+def _rank(rows: Sequence[Sequence[int]], prime: int) -> int:
     if not rows or not rows[0]:
         return 0
-    return int(nmod_mat(len(rows), len(rows[0]), [v for row in rows for v in row], PRIME).rank())
+    return int(nmod_mat(len(rows), len(rows[0]), [v for row in rows for v in row], prime).rank())
 
 
-def _combined(weights: Sequence[Fraction], functionals: Sequence[Functional]) -> Functional:
+def _combined(weights: Sequence[Any], functionals: Sequence[Functional]) -> Functional:
     total: Functional = {}
     for weight, functional in zip(weights, functionals):
         if weight:

@@ -69,9 +69,10 @@ class Family:
         if not moving:
             raise DomainError("The unfolding has no components but its parameters: add those of the germ.")
         rest = [name for name in whole.source if name not in names]
-        self.whole = Germ(moving, (*self.parameters, *rest), whole.boundary)
+        self.whole = Germ(moving, (*self.parameters, *rest), whole.boundary, whole.field)
         #: the germ at parameter 0
-        self.germ = Germ(substitute(moving, dict.fromkeys(names, ZERO)), rest, whole.boundary)
+        at_zero = substitute(moving, dict.fromkeys(names, ZERO))
+        self.germ = Germ(at_zero, rest, whole.boundary, whole.field)
 
     def velocities(self, order: int) -> list[Vector]:
         """∂F/∂tᵢ at t = 0 up to that degree, for every parameter.

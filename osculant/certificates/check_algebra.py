@@ -12,10 +12,12 @@ from itertools import combinations_with_replacement
 from math import comb, isqrt, lcm
 from typing import Any
 
-from osculant.certificates.check_text import RejectedError, parsed, require, spend
+from osculant.certificates.check_numbers import Algebraic, current, exact, restricted
+from osculant.certificates.check_taylor import taylor
+from osculant.certificates.check_text import RATIONAL, ROOT, RejectedError, parsed, rational, require, spend
 
 Exponents = tuple[int, ...]
-Polynomial = dict[Exponents, Fraction]
+Polynomial = dict[Exponents, Any]
 Vector = list[Polynomial]
 Row = dict[int, Any]
 
@@ -25,7 +27,7 @@ HIGHEST = 10_000
 
 def constant(value: Fraction | int, n: int) -> Polynomial:
     """A number as a polynomial in n variables."""
-    return {(0,) * n: Fraction(value)} if value else {}
+    return {(0,) * n: exact(value)} if value else {}
 
 
 def plus(a: Polynomial, b: Polynomial, factor: Fraction | int = 1) -> Polynomial:
@@ -34,7 +36,7 @@ def plus(a: Polynomial, b: Polynomial, factor: Fraction | int = 1) -> Polynomial
     for m, c in b.items():
         value = found.get(m, 0) + factor * c
         if value:
-            found[m] = Fraction(value)
+            found[m] = exact(value)
         else:
             found.pop(m, None)
     return found
@@ -159,7 +161,30 @@ def read(text: str, names: Sequence[str], order: int | None = None) -> Polynomia
     >>> read("sin(x)", ["x"], 3) == {(1,): Fraction(1), (3,): Fraction(-1, 6)}
     True
     """
-    return _Reader(len(names), order).value(parsed(text, names))
+    field = current()
+    return _Reader(len(names), order).value(parsed(text, names, None if field is None else field.name))
+
+
+def number(value: Any) -> Any:
+    """A number of a certificate: whole, the text of a quotient, or of a number of the field, not 0 then.
+
+    >>> number("-3/6")
+    Fraction(-1, 2)
+    """
+    if current() is None or not isinstance(value, str) or RATIONAL.fullmatch(value):
+        return rational(value)
+    found = read(value, (), 0).get((), Fraction(0))
+    if isinstance(found, Algebraic):
+        found.inverse()  # so it is not 0 whatever root generates the field
+    return found
+
+
+def rank_below(rows: Sequence[Mapping[int, Any]], prime: int) -> int:
+    """A number that the rank is not less than: that modulo a prime, of a number field over ℚ."""
+    field = current()
+    if field is None:
+        return len(pivots(rows, prime))
+    return len(pivots(restricted(rows, field), prime)) // field.degree
 
 
 class _Reader:
@@ -171,6 +196,8 @@ class _Reader:
     def value(self, node: ast.expr) -> Polynomial:
         if isinstance(node, ast.Constant) and type(node.value) is int:
             return constant(node.value, self.n)
+        if isinstance(node, ast.Name) and node.id == ROOT:
+            return constant(generator(), self.n)
         if isinstance(node, ast.Name) and node.id in self.names:
             m = tuple(int(name == node.id) for name in self.names)
             return {} if self.order == 0 else {m: Fraction(1)}
@@ -221,77 +248,9 @@ class _Reader:
         return found
 
 
-def taylor(name: str, at: Fraction, order: int) -> list[Fraction]:
-    """The Taylor coefficients of a function at a point where they are rational; RejectedError elsewhere.
-
-    >>> taylor("exp", Fraction(0), 3)[3], taylor("^1/2", Fraction(4), 1)
-    (Fraction(1, 6), [Fraction(2, 1), Fraction(1, 4)])
-    """
-    if name in {"sqrt", "cbrt"}:
-        name = "^1/2" if name == "sqrt" else "^1/3"
-    if name.startswith("^"):
-        return _binomial(Fraction(name[1:]), at, order)
-    if name == "log":
-        require(at == 1, f"log has no rational value at {at}")
-        return [Fraction(0), *(Fraction((-1) ** (k + 1), k) for k in range(1, order + 1))]
-    require(at == 0, f"{name} has no rational value at {at}")
-    factorial = [Fraction(1)]
-    for k in range(1, order + 2):
-        factorial.append(factorial[-1] / k)
-    if name == "exp":
-        return factorial[: order + 1]
-    odd = {"sin": -1, "sinh": 1, "cos": -1, "cosh": 1}
-    if name in odd:
-        first = int(name.startswith("sin"))
-        return [
-            factorial[k] * odd[name] ** (k // 2) if k % 2 == first else Fraction(0) for k in range(order + 1)
-        ]
-    if name in {"tan", "tanh"}:  # y′ = 1 ± y²
-        sign, y = (1 if name == "tan" else -1), [Fraction(0)]
-        for k in range(order):
-            square = sum((y[i] * y[k - i] for i in range(k + 1)), Fraction(0))
-            y.append((int(k == 0) + sign * square) / (k + 1))
-        return y
-    # the derivative is (1 ± x²) to a power
-    inverse = {"atan": (1, Fraction(-1)), "atanh": (-1, Fraction(-1))}
-    inverse |= {"asin": (-1, Fraction(-1, 2)), "asinh": (1, Fraction(-1, 2))}
-    require(name in inverse, f"{name} is no function that the checker reads")
-    sign, exponent = inverse[name]
-    outer = _binomial(exponent, Fraction(1), order)
-    found = [Fraction(0)] * (order + 1)
-    for k, c in enumerate(outer):
-        if 2 * k + 1 <= order:
-            found[2 * k + 1] = c * sign**k / (2 * k + 1)
-    return found
-
-
-def _binomial(e: Fraction, at: Fraction, order: int) -> list[Fraction]:
-    require(at != 0, "a power that is not analytic at 0")
-    root = _root(at, e.denominator)
-    found = [root**e.numerator]
-    for k in range(order):
-        found.append(found[-1] * (e - k) / ((k + 1) * at))
-    return found
-
-
-def _root(value: Fraction, degree: int) -> Fraction:
-    """The rational root of that degree."""
-    negative = value < 0 and degree % 2 == 1
-    require(value > 0 or negative, f"no root of {value}")
-    parts = []
-    for part in (abs(value.numerator), value.denominator):
-        root = _whole_root(part, degree)
-        require(root**degree == part, f"the root of {value} is not rational")
-        parts.append(root)
-    return Fraction(*parts) * (-1 if negative else 1)
-
-
-def _whole_root(value: int, degree: int) -> int:
-    """The largest whole number whose power is at most a positive one."""
-    if degree == 1:
-        return value
-    low, high = 1, 1 << (value.bit_length() // degree + 1)
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (middle, high) if middle**degree <= value else (low, middle)
-    return low
+def generator() -> Any:
+    """The root that generates the number field; RejectedError if there is none."""
+    field = current()
+    if field is None:
+        raise RejectedError("there is no number field")
+    return field.generator

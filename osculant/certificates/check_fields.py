@@ -9,14 +9,14 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from osculant.certificates.check_algebra import Row, Vector, derivative
+from osculant.certificates.check_algebra import Row, Vector, derivative, number
 from osculant.certificates.check_tangents import Problem, added, cut, moved
-from osculant.certificates.check_text import rational, require
+from osculant.certificates.check_text import require
 
 
 def applied(problem: Problem, told: Mapping[str, Any], order: int, weights: tuple[int, ...]) -> Vector:
     """What a linear field, a matrix on one side, adds to the tangent space."""
-    matrix = [[rational(v) for v in row] for row in told["matrix"]]
+    matrix = [[number(v) for v in row] for row in told["matrix"]]
     top = order // min(weights, default=1)
     jet = [cut(f, order, weights) for f in problem.jet(top)]
     side, n = told["side"], problem.n
@@ -39,7 +39,7 @@ def check_nilpotent(problem: Problem, fields: Sequence[Mapping[str, Any]]) -> No
     """Check that linear fields belong to the group and are triangular together in some coordinates."""
     source, target = problem.parts
     for side, size in (("source", problem.n), ("target", problem.p)):
-        matrices = [[[rational(v) for v in row] for row in f["matrix"]] for f in fields if f["side"] == side]
+        matrices = [[[number(v) for v in row] for row in f["matrix"]] for f in fields if f["side"] == side]
         if not matrices:
             continue
         require((source if side == "source" else target) != "none", "a field is not of the group")

@@ -16,13 +16,14 @@ from osculant.certificates.check_algebra import (
     composed,
     constant,
     derivative,
+    number,
     pivots,
     plus,
     times,
 )
 from osculant.certificates.check_model import Model
 from osculant.certificates.check_tangents import Problem
-from osculant.certificates.check_text import rational, require
+from osculant.certificates.check_text import require
 from osculant.certificates.check_zeros import check_zeros, polynomial, units
 
 #: the coefficients of the linear form of a difference of points
@@ -120,7 +121,7 @@ def _multiple(model: Model, locus: Mapping[str, Any]) -> tuple[int, list[Polynom
     fit = bool(parts) and min(parts) >= 1 and 2 <= sum(parts) <= 8
     require(not model.rules and n <= p and fit, "no such points")
     change = [polynomial(f, n) for f in locus["source"]]
-    matrix = [[rational(v) for v in row] for row in locus["target"]]
+    matrix = [[number(v) for v in row] for row in locus["target"]]
     zero = (0,) * n
     linear = [{j: f[e] for j, e in enumerate(units(n)) if e in f} for f in change]
     require(len(change) == n and not any(zero in f for f in change), "the change does not keep the origin")

@@ -9,18 +9,21 @@ from __future__ import annotations
 import ast
 from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
 
 from osculant.certificates.check_algebra import (
     Polynomial,
     composed,
     constant,
     derivative,
+    generator,
     plus,
     power,
-    taylor,
     times,
 )
-from osculant.certificates.check_text import RejectedError, parsed, require
+from osculant.certificates.check_numbers import current
+from osculant.certificates.check_taylor import taylor
+from osculant.certificates.check_text import ROOT, RejectedError, parsed, require
 
 Quotient = tuple[Polynomial, Polynomial]
 #: functions by the tangent T of half the angle (h: hyperbolic): coefficients of 1, T, T² above and below
@@ -56,7 +59,9 @@ class Model:
         self.known: dict[tuple[str, str], int] = {}
         #: of the functions: the derivatives by the source variables, and their denominator
         self.rules: dict[int, tuple[list[Polynomial], Polynomial]] = {}
-        self.components = [self.quotient(parsed(text, source)) for text in components]
+        field = current()
+        root = None if field is None else field.name
+        self.components = [self.quotient(parsed(text, source, root)) for text in components]
         require(len(self.rules) == functions, "the germ has another number of functions")
 
     def quotient(self, node: ast.expr) -> Quotient:
@@ -64,6 +69,8 @@ class Model:
         one = constant(1, self.width)
         if isinstance(node, ast.Constant) and type(node.value) is int:
             return constant(node.value, self.width), one
+        if isinstance(node, ast.Name) and node.id == ROOT:
+            return constant(generator(), self.width), one
         if isinstance(node, ast.Name) and node.id in self.source:
             return self.variable(self.source.index(node.id)), one
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.UAdd):
@@ -107,9 +114,9 @@ class Model:
         """The variable number i."""
         return {tuple(int(i == j) for j in range(self.width)): Fraction(1)}
 
-    def unit(self, f: Polynomial) -> Fraction:
+    def unit(self, f: Polynomial) -> Any:
         """The value at the origin of a polynomial that must not be 0 there."""
-        value = f.get((0,) * self.width, Fraction(0))
+        value: Any = f.get((0,) * self.width, Fraction(0))
         require(value != 0, "a denominator that is 0 at the origin")
         return value
 
@@ -118,7 +125,10 @@ class Model:
         name = HALVES[written][0] if written in HALVES else written
         key = ast.unparse(argument)
         s, t = self.quotient(argument)
-        at = s.get((0,) * self.width, Fraction(0)) / self.unit(t)
+        zero = (0,) * self.width
+        at = s.get(zero, Fraction(0)) / self.unit(t)
+        if set(s) <= {zero} and set(t) <= {zero}:  # a number
+            return constant(taylor(written, at, 0)[0], self.width), constant(1, self.width)
         if (name, key) not in self.known:
             self.known[name, key] = self.n + len(self.known)
             require(self.n + len(self.known) <= self.width, "the germ has another number of functions")

@@ -19,12 +19,14 @@ from osculant.certificates.check_algebra import (
     derivative,
     is_prime,
     monomials,
+    number,
     pivots,
+    rank_below,
     read,
     times,
     weigh,
 )
-from osculant.certificates.check_text import rational, require
+from osculant.certificates.check_text import require
 
 EXTENDED, ORDINARY, UNIPOTENT = 0, 1, 2
 #: group: (source fields, target part)
@@ -95,7 +97,7 @@ class Annihilated:
     """Functionals proved to be the whole annihilator of a tangent space in the jets of an order."""
 
     problem: Problem
-    functionals: list[dict[tuple[Exponents, int], Fraction]]
+    functionals: list[dict[tuple[Exponents, int], Any]]
     order: int
     weights: tuple[int, ...]
 
@@ -139,7 +141,7 @@ def annihilated(
     rows = [row for v in vectors if (row := _row(v, place, problem.p))]
     functionals = []
     for given in told["functionals"]:
-        functional = {problem.term(t): rational(v) for t, v in given.items()}
+        functional = {problem.term(t): number(v) for t, v in given.items()}
         require(all(m in place for m, _ in functional), "a functional lives beyond the jets")
         functionals.append({k: v for k, v in functional.items() if v})
     numbered: list[Row] = [{problem.p * place[m] + j: v for (m, j), v in f.items()} for f in functionals]
@@ -154,7 +156,7 @@ def annihilated(
                 sums[i] = sums.get(i, Fraction(0)) + v * w
         require(not any(sums.values()), "a functional is not 0 on the tangent space")
     require(len(pivots(numbered)) == len(numbered), "the functionals depend on each other")
-    missing = problem.p * len(place) - len(pivots(rows, prime))
+    missing = problem.p * len(place) - rank_below(rows, prime)
     require(len(numbered) == missing, f"there are {len(numbered)} functionals, {missing} are needed")
     return Annihilated(problem, functionals, order, weights)
 

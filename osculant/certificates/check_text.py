@@ -19,6 +19,8 @@ WORK = 100_000_000
 TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?![\w.])|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|[-+*/^()]))"
 )
+#: how the generator of a number field is called in trees
+ROOT = "w0"
 RATIONAL = re.compile(r"-?\d+(/\d+)?")
 
 
@@ -58,8 +60,10 @@ def spend(amount: int) -> None:
         require(left[0] >= 0, "it takes more work than the checker does")
 
 
-def parsed(text: Any, names: Sequence[str]) -> ast.expr:
+def parsed(text: Any, names: Sequence[str], root: str | None = None) -> ast.expr:
     """The tree of a formula in which the variables are called v0, v1, … and decimals are quotients.
+
+    A name of the root that generates the number field becomes `ROOT`.
 
     Raises RejectedError for what is no such formula.
 
@@ -76,6 +80,8 @@ def parsed(text: Any, names: Sequence[str]) -> ast.expr:
         if found["number"]:
             value = _decimal(found["number"])
             pieces.append(str(value) if value.denominator == 1 else f"({value})")
+        elif root is not None and found["name"] == root:
+            pieces.append(ROOT)
         elif found["name"] in names:
             pieces.append(f"v{list(names).index(found['name'])}")
         elif found["name"]:

@@ -11,8 +11,8 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from osculant.certificates.check_algebra import Polynomial, monomials, pivots, plus
-from osculant.certificates.check_text import rational, require
+from osculant.certificates.check_algebra import Polynomial, monomials, number, pivots, plus
+from osculant.certificates.check_text import require
 
 #: products of terms that a check may take
 WORK = 20_000_000
@@ -29,7 +29,7 @@ def polynomial(told: Any, n: int) -> Polynomial:
     for term in told:
         m = tuple(term[:-1])
         require(len(m) == n and all(isinstance(e, int) and e >= 0 for e in m), "a term of the wrong size")
-        found = plus(found, {m: rational(term[-1])})
+        found = plus(found, {m: number(term[-1])})
     return found
 
 
@@ -48,6 +48,8 @@ def check_zeros(
     basis = [polynomial(f, width + 1) for f in told["basis"]]
     require(all(f and len({sum(m) for m in f}) == 1 for f in basis), "the basis is not homogeneous")
     division = Division(basis)
+    for f, m in zip(basis, division.leading):
+        require(1 / f[m] != 0, "a leading coefficient is 0")  # of a number field: it has an inverse
     for f in generators:
         if f:
             degree = max(map(sum, f))
@@ -66,7 +68,7 @@ def check_zeros(
 
 def _check_apart(basis: list[Polynomial], width: int, least: int, told: Mapping[str, Any]) -> None:
     """Check that the zeros of the basis with ℓ = 0 are of lower dimension: forms leave the origin alone."""
-    forms = [[rational(v) for v in form] for form in told["forms"]]
+    forms = [[number(v) for v in form] for form in told["forms"]]
     require(
         len(forms) == least - 1 and all(len(form) == width for form in forms), "the number of forms is wrong"
     )

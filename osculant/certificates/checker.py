@@ -13,9 +13,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from osculant.certificates.check_algebra import read
+from osculant.certificates.check_algebra import number, read
 from osculant.certificates.check_fields import applied, check_nilpotent
 from osculant.certificates.check_loci import check_locus
+from osculant.certificates.check_numbers import Field, over
 from osculant.certificates.check_tangents import (
     EXTENDED,
     ORDINARY,
@@ -25,7 +26,7 @@ from osculant.certificates.check_tangents import (
     annihilated,
     spanning,
 )
-from osculant.certificates.check_text import RejectedError, limited, rational, require
+from osculant.certificates.check_text import RejectedError, limited, require
 
 #: bytes of a certificate file at most
 LARGEST = 50_000_000
@@ -67,7 +68,7 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
         f"the version {data.get('version')!r} of the file is not known",
     )
     try:
-        with limited():
+        with limited(), over(_field(data)):
             return _germ(data)
     except RejectedError:
         raise
@@ -89,6 +90,11 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
 
 def _no_number(name: str) -> None:
     raise ValueError(name)
+
+
+def _field(data: Mapping[str, Any]) -> Field | None:
+    told = data.get("field")
+    return None if told is None else Field(told, tuple(map(str, data["source"])))
 
 
 def _germ(data: Mapping[str, Any]) -> tuple[str, ...]:
@@ -195,7 +201,7 @@ def check_sharp(problem: Problem, degree: int, depth: int | None, told: Mapping[
     for f, g, text in zip(problem.jet(degree - 1), other.jet(degree - 1), texts):
         require(f == g, "the other germ has another jet")
         read(text, problem.source)  # a polynomial
-    values = {other.term(t): rational(v) for t, v in told["functional"]["values"].items()}
+    values = {other.term(t): number(v) for t, v in told["functional"]["values"].items()}
     require(all(sum(m) <= degree for m, _ in values), "the functional lives beyond the jets")
     require(any(v and sum(m) == degree for (m, _), v in values.items()), f"the functional is 0 on M^{degree}")
     for vector in spanning(other, ORDINARY, degree):

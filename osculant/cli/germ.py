@@ -60,6 +60,14 @@ Patience = Annotated[
         help="Processor time after which what is not decided is said to be undecided.",
     ),
 ]
+Root = Annotated[
+    str | None,
+    typer.Option(
+        "--root",
+        metavar="POLYNOMIAL",
+        help='A polynomial such as "a^2 - a - 1": a is a root of it in the formulas, any one.',
+    ),
+]
 Certificate = Annotated[
     bool,
     typer.Option("--certificate", help="Print the certificates as well, with --json for `osculant check`."),
@@ -99,6 +107,7 @@ def germ(
     group: GroupOption = None,
     boundary: Boundary = None,
     at: At = None,
+    root: Root = None,
     transversal: Transversal = None,
     order: Order = None,
     versal: Versal = None,
@@ -129,7 +138,9 @@ def germ(
         if not formulas[1:].strip():
             raise UsageError("The name of the file is missing after @: write for instance @germ.txt.")
         formulas = Path(formulas[1:].strip())
-    given = map_germ.germ(formulas, source, boundary, at=at, patience=number(patience, "--patience"))
+    given = map_germ.germ(
+        formulas, source, boundary, at=at, root=root, patience=number(patience, "--patience")
+    )
     if transversal is not None:
         data = _transversal(given, whole_number(transversal, "--transversal"), group, order or ())
         table = [*head(data), *listed(f"{data['jet'] + 1}-transversal", data["transversal"])]

@@ -15,6 +15,9 @@ def head(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
     yield "source", " ".join(data["source"]) + boundary
     if "at" in data:
         yield "moved from", ", ".join(data["at"])
+    if "field" in data:
+        name, degree = data["field"]["name"], len(data["field"]["polynomial"]) - 1
+        yield "number field", f"of degree {degree}" + ("" if name is None else f", by a root {name}")
     yield "group", data["group"]
 
 

@@ -15,7 +15,7 @@ from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group
 from osculant.cas.germs.groups import group as group_of
-from osculant.germs.reading import components_of, names_of, point_of
+from osculant.germs.reading import components_of, names_of, point_of, stated_field
 
 if TYPE_CHECKING:
     from osculant.cas.germs.codimension import Codimension
@@ -32,7 +32,13 @@ GroupName = str | Group | None
 
 
 def germ(
-    formulas: Any, source: Any, boundary: Any = None, *, at: Any = None, patience: float = 10.0
+    formulas: Any,
+    source: Any,
+    boundary: Any = None,
+    *,
+    at: Any = None,
+    patience: float = 10.0,
+    root: str | None = None,
 ) -> MapGerm:
     """A map-germ (Kⁿ,0) → (Kᵖ,0) from the formulas of its components.
 
@@ -49,10 +55,15 @@ def germ(
         patience: seconds of processor time for a question (a report: for all of them, and a little more, in
             all less than a fifth, for those that are left then); what is not decided is told to be undecided.
 
+        root: an irreducible polynomial in one variable, such as ``"a**2 - a - 1"``: its name stands for a
+            root of it in the formulas, any one: the answers are the same for all. Without, roots of numbers
+            such as sqrt(2) and 3**(1/3) may stand in formulas. The number field has degree 12 at most.
+
     Raises FormulaError for what is no formula, uses other variables or has no component, and for a file that
     cannot be read; DomainError for a germ that does not vanish at 0, is not analytic there or has
-    coefficients that are not rational, for a boundary that is no source variable, for a point that is not
-    exact, has another dimension or is off the boundary, and for a patience that is not positive.
+    coefficients that are not algebraic, for a root that is not as above, for a boundary that is no source
+    variable, for a point that is not exact, has another dimension or is off the boundary, and for a patience
+    that is not positive.
 
     >>> germ("x1, x2, x3**2 + x1*u + x2*u**2 + u**3", "x1 x2 x3 u").codimension("A(H)")
     3
@@ -61,18 +72,23 @@ def germ(
     'infinite'
     >>> germ([{(2,): 1, (4,): -1}], "x", at=[0]).components, germ("x**3 - 3*x", "x", at="1").components
     (('x**2 - x**4',), ('x**3 + 3*x**2',))
+    >>> germ("x, y**3 + sqrt(2)*x*y", "x y").codimension("A")
+    2
+    >>> germ("x**3 + a*x**2*y**2 + y**6", "x y", root="4*a**3 + 27").codimension("R")
+    'infinite'
     """
     if not patience > 0:
         raise DomainError(f"patience: {patience} is no positive number of seconds.", argument="patience")
     names = names_of(source)
-    components = components_of(formulas, names)
+    field = None if root is None else stated_field(root, names)
+    components = components_of(formulas, names, field)
     u = None if boundary is None else str(boundary)
     if at is None:
-        return MapGerm(Germ(components, names, u), patience)
+        return MapGerm(Germ(components, names, u, field), patience)
     from osculant.cas.germs.moved import moved
 
     point = point_of(at)
-    return MapGerm(moved(components, names, point, u), patience, tuple(map(str, point)))
+    return MapGerm(moved(components, names, point, u, field), patience, tuple(map(str, point)))
 
 
 @dataclass(frozen=True)
@@ -114,6 +130,12 @@ class MapGerm:
         self._codimensions: dict[tuple[Group, bool], Codimension] = {}
         self.seconds = patience
         self.clock: Patience | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names in the formulas: the source variables and a root of a polynomial, if one is stated."""
+        field = self.exact.field
+        return self.source if field is None or field.name is None else (*self.source, field.name)
 
     def group(self, name: GroupName = None) -> Group:
         """The group of that name, or the one that is meant where none is named; DomainError if unknown.

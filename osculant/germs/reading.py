@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.formulas.expression import Node, variable
+from osculant.cas.formulas.expression import ZERO, Node, variable
+from osculant.cas.formulas.graph import variables
 from osculant.cas.formulas.parser import FILE, parse, parse_constant, parse_tuple
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.germ import as_node
+from osculant.cas.germs.algebraic import NumberField
 
 
 def names_of(source: Any) -> tuple[str, ...]:
@@ -24,13 +25,30 @@ def names_of(source: Any) -> tuple[str, ...]:
     return tuple(variable(name).value for name in names)  # refuses what cannot be a name
 
 
-def components_of(formulas: Any, names: Sequence[str]) -> tuple[Node, ...]:
+def stated_field(root: str, names: Sequence[str]) -> NumberField:
+    """The number field of a root of a polynomial, whose variable names it; none of these names.
+
+    Raises DomainError for what is no irreducible polynomial in one other variable.
+
+    >>> stated_field("a^2 - 2", ("x", "y")).degree
+    2
+    """
+    field = NumberField.stated(root)
+    if field.name in names:
+        raise DomainError(
+            f"root: {field.name!r} is a source variable: call the root otherwise.", argument="root"
+        )
+    return field
+
+
+def components_of(formulas: Any, names: Sequence[str], field: NumberField | None = None) -> tuple[Node, ...]:
     """The expressions of a germ's components, in variables of these names.
 
     Args:
         formulas: text, a `pathlib.Path` of a file that holds such text, or components: one or a sequence of
             texts, sympy or symengine expressions, or dictionaries {exponents: coefficient}.
         names: the source variables.
+        field: the number field whose root has a name in the formulas.
 
     Raises FormulaError for what is none of these or has no component, and for a file that cannot be read;
     DomainError for exponents or coefficients that are none.
@@ -38,14 +56,15 @@ def components_of(formulas: Any, names: Sequence[str]) -> tuple[Node, ...]:
     >>> print(*components_of([{(1, 0): 1}, {(1, 1): 1, (0, 3): Fraction(1, 2)}], ("x", "y")))
     x x*y + 1/2*y**3
     """
+    known = names if field is None else [*names, str(field.name)]
     if isinstance(formulas, str):
-        return parse_tuple(formulas, names)
+        return parse_tuple(formulas, known)
     if isinstance(formulas, Path):
-        return parse_tuple(text_of(formulas), names, FILE)
+        return parse_tuple(text_of(formulas), known, FILE)
     parts = [formulas] if isinstance(formulas, Mapping) else _parts(formulas)
     if not parts:
         raise FormulaError("The germ has no component: give at least one formula, such as x**2.")
-    return tuple(_component(part, names) for part in parts)
+    return tuple(_component(part, names, known) for part in parts)
 
 
 def text_of(file: Path) -> str:
@@ -105,9 +124,9 @@ def _rational(coordinate: Any) -> Fraction:
     return Fraction(value)
 
 
-def _component(part: Any, names: Sequence[str]) -> Node:
+def _component(part: Any, names: Sequence[str], known: Sequence[str]) -> Node:
     if isinstance(part, str):
-        return parse(part, names)
+        return parse(part, known)
     if isinstance(part, Mapping):
         return _polynomial(part, names)
     from osculant.cas.formulas.sympy_bridge import from_sympy
@@ -118,8 +137,7 @@ def _component(part: Any, names: Sequence[str]) -> Node:
 def _polynomial(coefficients: Mapping[Any, Any], names: Sequence[str]) -> Node:
     from osculant.cas.formulas.sympy_bridge import from_sympy
 
-    n = len(names)
-    found: poly.Polynomial = {}
+    n, total = len(names), ZERO
     for exponents, coefficient in coefficients.items():
         whole = isinstance(exponents, tuple) and all(type(e) is int and e >= 0 for e in exponents)
         if not whole or len(exponents) != n or sum(exponents) > poly.LARGEST:
@@ -128,11 +146,13 @@ def _polynomial(coefficients: Mapping[Any, Any], names: Sequence[str]) -> Node:
                 f"of at least 0 and a sum of at most {poly.LARGEST}."
             )
         node = from_sympy(coefficient)
-        if node.kind != "number":
-            raise DomainError(f"The coefficient {coefficient} of {exponents} is not rational.")
-        if node.value:
-            found[poly.monomial(exponents)] = node.value
-    return as_node(found, tuple(names))
+        if variables([node]) & set(names):
+            raise DomainError(f"The coefficient {coefficient} of {exponents} is no number.")
+        term = node
+        for name, e in zip(names, exponents):
+            term = term * variable(name) ** e if e else term
+        total = total + term
+    return total
 
 
 def _parts(given: Any) -> list[Any]:

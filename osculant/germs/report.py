@@ -7,7 +7,10 @@ terms of a miniversal one, and ``unfolding_germ``: it as a germ (t, F(t, x)), wh
 ``components``, ``source`` and ``parameters``; ``tjurina``, ``multiplicity``, ``ramification``: dimensions, or
 "infinite";
 ``hilbert``: the Hilbert function of the Q-algebra; for a function also ``milnor``; ``at``: the point, if one
-was moved to the origin.
+was moved to the origin; ``field``: the number field of coefficients that are not rational, by the
+``polynomial`` of a number that generates it (coefficients, the constant first), its ``name`` if it was
+stated, else the ends of an ``interval`` around it, and the ``roots`` of numbers in it (``degree``, ``of``
+what, ``value``: coefficients of the powers of that number).
 What is undecided or has no meaning for the germ is null, and ``reason`` has a sentence under the same key;
 ``undecided`` lists the keys of the first kind.
 
@@ -66,6 +69,8 @@ def report(
     }
     if germ.at is not None:
         told["at"] = list(germ.at)
+    if germ.exact.field is not None:
+        told["field"] = germ.exact.field.told()
     from osculant.cas.germs.search import Patience
 
     germ.clock = Patience(germ.seconds)
@@ -220,7 +225,7 @@ class _Questions:
     def unfolding(self) -> tuple[list[str], dict[str, Any]]:
         if not self.found().finite:
             raise _MeaninglessError("A germ of infinite codimension has no versal unfolding.")
-        found = self.germ.unfolding(self.group, _letter(self.germ.source))
+        found = self.germ.unfolding(self.group, _letter(self.germ.names))
         whole = found.germ
         return list(found.terms), {
             "components": list(whole.components),

@@ -10,7 +10,8 @@ from osculant.cas.claims.proof import read, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.germs.codimension import codimension, independent_columns, tangent
-from osculant.cas.germs.germ import Germ, expanded
+from osculant.cas.germs.expansion import expanded
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import GROUPS, Version, group
 from osculant.cas.germs.reference import reference
 from osculant.cas.germs.transversal import transversal

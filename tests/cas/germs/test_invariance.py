@@ -13,7 +13,8 @@ from osculant.cas.errors import UndecidedError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.determinacy import determinacy
-from osculant.cas.germs.germ import Germ, as_node
+from osculant.cas.germs.expansion import as_node
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.local_algebra import milnor_number, q_algebra
 from osculant.cas.germs.unfolding import is_stable
 

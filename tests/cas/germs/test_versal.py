@@ -12,7 +12,8 @@ from osculant.cas.formulas.expression import variable
 from osculant.cas.formulas.parser import parse_tuple
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.codimension import codimension
-from osculant.cas.germs.germ import Germ, as_node
+from osculant.cas.germs.expansion import as_node
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.moved import moved
 from osculant.cas.germs.unfolding import is_stable, stable_unfolding, unfolded_germ, unfolding
 from osculant.cas.germs.versal import Family, versality

@@ -11,7 +11,8 @@ from functools import cache
 import pytest
 
 import osculant as osc
-from osculant.certificates.check_algebra import read, taylor
+from osculant.certificates.check_algebra import read
+from osculant.certificates.check_taylor import taylor
 from osculant.certificates.check_text import RejectedError, limited
 from osculant.certificates.checker import check
 from osculant.germs.map_germ import germ

@@ -98,9 +98,11 @@ def test_coefficients_that_are_none():
     for exponents in ((1,), (1, -1), (1, 1.0), "xy", 2, (True, 1), (4000, 96)):
         with pytest.raises(DomainError, match=r"exponents .* of a coefficient are none: give a tuple of 2"):
             germ([{exponents: 1}], "x y")
-    for coefficient in (sympy.sqrt(2), sympy.Symbol("x")):
-        with pytest.raises(DomainError, match=r"of \(1,\) is not rational"):
-            germ({(1,): coefficient}, "x")
+    with pytest.raises(DomainError, match=r"x of \(1,\) is no number"):
+        germ({(1,): sympy.Symbol("x")}, "x")
+    with pytest.raises(DomainError, match="pi is neither rational nor algebraic"):
+        germ({(1,): sympy.pi}, "x")
+    assert germ({(2,): sympy.sqrt(2)}, "x").components == ("sqrt(2)*x**2",)
     for coefficient in ("1", None, [1], float("nan"), float("inf")):
         with pytest.raises((FormulaError, DomainError)):
             germ({(1,): coefficient}, "x")
@@ -189,3 +191,13 @@ def test_points_that_are_not_exact():
             germ("x, y", "x y", at=at)
     with pytest.raises(DomainError, match="0 coordinates for 2"):
         germ("x, y", "x y", at=[])
+
+
+def test_roots_of_polynomials_on_the_command_line():
+    told = run_json("x^3 + a*x^2*y^2 + y^6", "--source", "x y", "--root", "4*a^3 + 27")
+    assert told["codimension"] == "infinite" and told["field"]["name"] == "a"
+    told = run_json("x, y^3 + sqrt(2)*x*y", "--source", "x y")
+    assert told["stable"] and told["field"]["name"] is None
+    assert "field" not in run_json("x, y^3 + sqrt(4)*x*y", "--source", "x y")
+    named = run_json("x^3 + t1*y^4", "--source", "x y", "--root", "t1^2 - 2")
+    assert named["unfolding_germ"]["parameters"] == ["s1", "s2", "s3", "s4", "s5", "s6"]
