@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from osculant.curves.plane import PlaneCurve
     from osculant.curves.space import SpaceCurve
     from osculant.germs.map_germ import MapGerm, germ
+    from osculant.germs.map_jets import JetOfMap, map_jet
     from osculant.pieces.conics import Piece
     from osculant.spline import Spline
     from osculant.thesis.verification import Verification, verify
@@ -36,6 +37,7 @@ __all__ = [
     "Complexity",
     "DomainError",
     "FormulaError",
+    "JetOfMap",
     "MapGerm",
     "OsculantError",
     "Piece",
@@ -53,6 +55,7 @@ __all__ = [
     "complexity",
     "curve",
     "germ",
+    "map_jet",
     "verify",
 ]
 
@@ -73,6 +76,8 @@ _HOME = {
     "check": "osculant.certificates.checker",
     "RejectedError": "osculant.certificates.check_algebra",
     "MapGerm": "osculant.germs.map_germ",
+    "map_jet": "osculant.germs.map_jets",
+    "JetOfMap": "osculant.germs.map_jets",
     "Verification": "osculant.thesis.verification",
     "OsculantError": "osculant.cas.errors",
     "FormulaError": "osculant.cas.errors",

@@ -10,12 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal
+from typing import Any, Literal
 
 from flint import fmpq, fmpq_mat, nmod_mat
 
 from osculant.cas.errors import UndecidedError
+from osculant.cas.germs import linear
 from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.algebraic import Algebraic, exact
 from osculant.cas.germs.annihilator import annihilator, blocks
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
@@ -24,7 +26,7 @@ from osculant.cas.germs.tangent import JetSpace, Vector, spanning
 #: modulo the first of these that does not lower the rank, independent rows are chosen
 PRIMES = (2**30 - 35, 2**31 - 1, 2**29 - 3)
 
-Row = dict[int, Fraction]
+Row = dict[int, Any]
 
 
 @dataclass(frozen=True)
@@ -59,8 +61,8 @@ def fields(
 
 def solve(
     germ: Germ, name: str | Group, version: Version, order: int, target: Sequence[poly.Polynomial]
-) -> dict[TangentField, Fraction] | None:
-    """A combination X of the fields with X·f = target modulo M^{order+1}, exactly over ℚ.
+) -> dict[TangentField, Any] | None:
+    """A combination X of the fields with X·f = target modulo M^{order+1}, exactly.
 
     Args:
         germ: f.
@@ -84,11 +86,11 @@ def solve(
     wanted = _row([poly.cut(f, germ.n, order) for f in target], space, place)
     kept = [(field, vector) for field, vector in fields(germ, name, version, order)]
     whole = [space.row(vector, place) for _, vector in kept]  # integers, multiples of the vectors
-    known = annihilator(whole, space.columns)
+    known = annihilator(whole, space.columns, germ.field)
     if any(sum((v * wanted[c] for c, v in f.items() if c in wanted), Fraction(0)) for f in known.functionals):
         return None
     rows = [_row(vector, space, place) for _, vector in kept]
-    weights: dict[TangentField, Fraction] = {}
+    weights: dict[TangentField, Any] = {}
     for _, where in blocks(whole, space.columns):
         part = {c: wanted[c] for c in where if c in wanted}
         if part:
@@ -100,11 +102,13 @@ def solve(
 
 
 def _row(vector: Sequence[poly.Polynomial], space: JetSpace, place: Mapping[int, int]) -> Row:
-    return {space.p * place[m] + j: Fraction(c) for j, f in enumerate(vector) for m, c in f.items() if c}
+    return {space.p * place[m] + j: exact(c) for j, f in enumerate(vector) for m, c in f.items() if c}
 
 
-def _combination(rows: Sequence[Row], target: Row, where: Sequence[int]) -> dict[int, Fraction]:
+def _combination(rows: Sequence[Row], target: Row, where: Sequence[int]) -> dict[int, Any]:
     """Weights of rows that add up to a target in their span."""
+    if any(isinstance(v, Algebraic) for row in (*rows, target) for v in row.values()):
+        return _over_field(rows, target, where)
     for prime in PRIMES:
         chosen, columns = _independent(rows, where, prime)
         size = len(chosen)
@@ -122,6 +126,15 @@ def _combination(rows: Sequence[Row], target: Row, where: Sequence[int]) -> dict
         if {c: v for c, v in total.items() if v} == target:
             return found
     raise UndecidedError(f"The rank of {len(rows)} rows was not told by {len(PRIMES)} primes.")
+
+
+def _over_field(rows: Sequence[Row], target: Row, where: Sequence[int]) -> dict[int, Any]:
+    """The same over a number field."""
+    zero = Fraction(0)
+    equations = [[row.get(c, zero) for row in rows] for c in where]
+    solved = linear.solution(equations, [target.get(c, zero) for c in where], len(rows))
+    assert solved is not None  # the annihilator has told that there is one
+    return {i: v for i, v in enumerate(solved) if v}
 
 
 def _independent(rows: Sequence[Row], where: Sequence[int], prime: int) -> tuple[list[int], list[int]]:

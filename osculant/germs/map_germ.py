@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from osculant.cas.germs.search import Patience
     from osculant.cas.germs.unfolding import Unfolding
     from osculant.cas.germs.versal import Versality
+    from osculant.germs.solutions import Combination
 
 Size = int | Literal["infinite"]
 #: part of the patience that a question of several has at least
@@ -230,6 +231,18 @@ class MapGerm:
         if k >= (last := last_order(self.exact)):
             raise UndecidedError(f"A transversal over a {k}-jet is out of reach: choose k < {last}.")
         return tuple(map(self.term, transversal(self.exact, k, self.group(group), order)))
+
+    def solve(
+        self, target: Any, order: int, group: GroupName = None, version: str = "ordinary"
+    ) -> Combination | None:
+        """A vector field X of the group with X·f = target up to an order (`osculant.germs.solutions.solve`).
+
+        >>> print(germ("x**3 + y**2", "x y").solve("x**2*y", 3, "K"))
+        (1/3) y ∂/∂x
+        """
+        from osculant.germs.solutions import solve
+
+        return solve(self, target, order, group, version)
 
     @property
     def milnor(self) -> Size:
