@@ -58,7 +58,7 @@ class Locus:
 def loci(
     model: Model, source: str, target: str, boundary: int | None, fields: Sequence[Any]
 ) -> Iterator[Locus]:
-    """The loci for a group, the simple ones first.
+    """The loci for a group, the simple ones first; where functions are variables, also divided by arguments.
 
     Args:
         model: the germ.
@@ -67,6 +67,21 @@ def loci(
         boundary: the number of the variable u, for "boundary".
         fields: the generators of the module of source fields, as polynomials of this room.
     """
+    for locus in _loci(model, source, target, boundary, fields):
+        yield locus
+        if locus.functions and any(told is not None for told in model.arguments):
+            make = partial(_divided, model, locus.make)
+            yield Locus({**locus.kind, "divided": True}, locus.least, make, functions=locus.functions)
+
+
+def _divided(model: Model, make: Callable[[], tuple[Any, list[Any]]]) -> tuple[Any, list[Any]]:
+    context, generators = make()
+    return context, [model.divided(f) for f in generators]
+
+
+def _loci(
+    model: Model, source: str, target: str, boundary: int | None, fields: Sequence[Any]
+) -> Iterator[Locus]:
     if target != "left":
         yield _module(model, target, fields)
         return

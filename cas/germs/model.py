@@ -4,6 +4,7 @@ Every transcendental or algebraic function T = f(a) − f(a(0)) of the germ beco
 is 0 at the origin; ∂T/∂xᵢ is a rational function of all variables. What vanishes identically in these m + n
 variables vanishes on the graph of T too, so a set of dimension d there meets the graph in dimension d − m at
 least. Ideals do not change if a generator is multiplied by a unit: denominators are cleared.
+T = a·(c + U) with a the argument and U analytic: with U in place of T, what vanishes with a is seen.
 """
 
 from __future__ import annotations
@@ -64,6 +65,8 @@ class Model:
         components: numerators and denominators.
         rules: for each function its partial derivatives by the source variables, over one denominator.
         field: the number field of the coefficients: its generator is the last variable; None for ℚ.
+        arguments: for each function its argument less the value at the origin, and its derivative there as a
+            polynomial; None for an argument with a denominator.
 
     >>> model = model_of(Germ("x, y**3*exp(x)", "x y"))
     >>> model.extra, [str(f) for f in model.gradient(1)]
@@ -75,6 +78,7 @@ class Model:
     components: tuple[Quotient, ...]
     rules: tuple[tuple[tuple[Any, ...], Any], ...]
     field: NumberField | None = None
+    arguments: tuple[tuple[Any, Any] | None, ...] = ()
 
     @property
     def extra(self) -> int:
@@ -90,6 +94,18 @@ class Model:
     def constants(self) -> list[Any]:
         """The generator of the number field as a variable, if there is one."""
         return [] if self.field is None else self.variables[-1:]
+
+    def divided(self, f: Any) -> Any:
+        """A polynomial with U in place of T for the functions T = a·(c + U), a the argument and c = T′(a(0)).
+
+        U is analytic and 0 at the origin too, but what vanishes with a need not be told any more.
+        """
+        images = self.variables
+        for k, told in enumerate(self.arguments):
+            if told is not None:
+                argument, slope = told
+                images[self.n + k] = argument.compose(*images) * (slope + images[self.n + k])
+        return f.compose(*images)
 
     def at_origin(self, f: Any, exponents: tuple[int, ...] = ()) -> Any:
         """The number before a power product of the source variables: by default the value at the origin."""
@@ -244,6 +260,7 @@ class _Reading:
         field = self.germ.field
         draft = Model(self.context, self.germ.n, tuple(values[f] for f in self.germ.components), (), field)
         done: list[tuple[tuple[Any, ...], Any]] = []
+        arguments: list[tuple[Any, Any] | None] = []
         for k in range(len(self.keys)):  # a function's argument has only functions before it
             argument, derivative = rules[k]
             inner = Model(self.context, self.germ.n, (values[argument],), tuple(done), field)
@@ -251,11 +268,22 @@ class _Reading:
             for _, denominator in done:
                 unit = unit * denominator
             above, below = derivative(values[argument])
+            arguments.append(self.argument(draft, values[argument], above, below))
             bottom = below * unit * values[argument][1] ** 2
             if values[argument][1].is_constant():  # the gradient was not multiplied by its square
                 above, bottom = above / values[argument][1].leading_coefficient(), below * unit
             done.append((tuple(above * g for g in inner.gradient(0)), bottom))
-        return Model(draft.context, draft.n, draft.components, tuple(done), field)
+        return Model(draft.context, draft.n, draft.components, tuple(done), field, tuple(arguments))
+
+    def argument(self, draft: Model, value: Quotient, above: Any, below: Any) -> tuple[Any, Any] | None:
+        """What `Model.arguments` tells of a function."""
+        s, t = value
+        if not t.is_constant():
+            return None
+        s = s / t.leading_coefficient()
+        start, slope = draft.at_origin(s), draft.at_origin(above) / draft.at_origin(below)
+        numbers = [polynomial({0: c} if c else {}, self.context, self.germ.n) for c in (start, slope)]
+        return s - numbers[0], numbers[1]
 
     def quotient(self, node: Node, args: list[Quotient], rules: dict[int, Any]) -> Quotient:
         one = self.context.constant(1)

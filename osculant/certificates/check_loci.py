@@ -46,6 +46,9 @@ def check_locus(problem: Problem, told: Mapping[str, Any]) -> None:
         model = model.restricted(problem.fixed or 0)
     width, generators, least, apart = ideal(problem, model, locus)
     require(told["dimension"] == least, f"the dimension must be {least}")
+    if locus.get("divided"):
+        require(width == model.width and not apart, "the locus has no functions to divide")
+        generators = [model.divided(f) for f in generators]
     check_zeros(width, generators, least + functions, apart, zeros)
 
 

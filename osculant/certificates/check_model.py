@@ -59,6 +59,8 @@ class Model:
         self.known: dict[tuple[str, str], int] = {}
         #: of the functions: the derivatives by the source variables, and their denominator
         self.rules: dict[int, tuple[list[Polynomial], Polynomial]] = {}
+        #: of functions whose argument has no denominator: it less its value at the origin, the slope there
+        self.arguments: dict[int, tuple[Polynomial, Any]] = {}
         field = current()
         root = None if field is None else field.name
         self.components = [self.quotient(parsed(text, source, root)) for text in components]
@@ -141,6 +143,9 @@ class Model:
             outer = self.slope(name, (s, t), value)
             gradient, unit = self.derivatives(s, t)
             self.rules[k] = [times(outer[0], g) for g in gradient], times(outer[1], unit)
+            if set(t) <= {zero}:
+                moved = plus(times(s, constant(1 / t[zero], self.width)), constant(at, self.width), -1)
+                self.arguments[k] = moved, outer[0].get(zero, Fraction(0)) / outer[1][zero]
         if written not in HALVES:
             return value, constant(1, self.width)
         powers = [constant(1, self.width), variable, times(variable, variable)]
@@ -195,13 +200,24 @@ class Model:
         """The rows of df, each times a unit."""
         return [self.derivatives(a, b)[0] for a, b in self.components]
 
+    def divided(self, f: Polynomial) -> Polynomial:
+        """A polynomial with U in place of T for functions T = a·(c + U): a the argument, c the slope at 0.
+
+        U is analytic and 0 at the origin, as T is.
+        """
+        images = [self.variable(i) for i in range(self.width)]
+        for k, (argument, slope) in sorted(self.arguments.items()):
+            factor = plus(images[k], constant(slope, self.width))
+            images[k] = times(composed(argument, images, self.width), factor)
+        return composed(f, images, self.width)
+
     def restricted(self, i: int) -> Model:
         """The germ on xᵢ = 0, in the other variables."""
         require(not self.rules, "only a rational germ is restricted")
         found = Model.__new__(Model)
         found.source = [name for k, name in enumerate(self.source) if k != i]
         found.n = found.width = self.n - 1
-        found.known, found.rules = {}, {}
+        found.known, found.rules, found.arguments = {}, {}, {}
         gens = [found.variable(k) for k in range(self.n - 1)]
         images: list[Polynomial] = [*gens[:i], {}, *gens[i:]]
         found.components = [

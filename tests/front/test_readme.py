@@ -48,9 +48,11 @@ def test_the_guide_shows_real_output(block, tmp_path, capsys, monkeypatch):
 
 
 def test_the_guide_calls_python_as_it_is():
-    (session,) = re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL)
-    test = doctest.DocTestParser().get_doctest(session, {}, "guide.md", None, 0)
-    assert test.examples and doctest.DocTestRunner().run(test).failed == 0
+    sessions = re.findall(r"```python\n(.*?)```", GUIDE, re.DOTALL)
+    assert sessions
+    for session in sessions:
+        test = doctest.DocTestParser().get_doctest(session, {}, "guide.md", None, 0)
+        assert test.examples and doctest.DocTestRunner().run(test).failed == 0
 
 
 @pytest.mark.parametrize("page", [ROOT / "README.md", ROOT / "docs" / "guide.md"], ids=lambda page: page.name)
