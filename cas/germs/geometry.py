@@ -26,7 +26,7 @@ from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group
 from osculant.cas.germs.local_dimension import large_zeros
 from osculant.cas.germs.loci import Locus, loci
-from osculant.cas.germs.model import model_of
+from osculant.cas.germs.model_reading import model_of
 from osculant.cas.germs.processes import Cost, counted
 
 #: seconds for a locus in the first round; how much more in the next; the longest round

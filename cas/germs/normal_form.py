@@ -8,10 +8,10 @@ polynomial for germs such as (x + y², …), and where it is not there is none h
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
-from flint import fmpq, fmpq_mat
-
+from osculant.cas.germs import linear
 from osculant.cas.germs.algebraic import Algebraic, rational
 from osculant.cas.germs.model import Model
 
@@ -24,14 +24,14 @@ class NormalForm:
     """``target``·f∘``source`` = (x₁, …, x_{n−1}, g): the rows of a matrix, the old coordinates, g.
 
     >>> from osculant.cas.germs.germ import Germ
-    >>> from osculant.cas.germs.model import model_of
+    >>> from osculant.cas.germs.model_reading import model_of
     >>> found = normal_form(model_of(Germ("x*y + y**3, x + y**2", "x y")))
     >>> [str(f) for f in found.source], [str(g) for g, _ in found.functions]
     (['-y^2 + x', 'y'], ['x*y'])
     """
 
     source: tuple[Any, ...]
-    target: tuple[tuple[fmpq, ...], ...]
+    target: tuple[tuple[Any, ...], ...]
     functions: tuple[tuple[Any, Any], ...]
 
 
@@ -40,21 +40,19 @@ def normal_form(model: Model) -> NormalForm | None:
     n, p = model.n, len(model.components)
     if model.rules or p < n:
         return None
-    linear = [_linear(f, b, model) for f, b in model.components]
-    if any(isinstance(c, Algebraic) for row in linear for c in row):
-        return None
-    echelon, target = _reduced(linear, n)
+    rows = [_linear(f, b, model) for f, b in model.components]
+    echelon, target = _reduced(rows, n)
     if sum(any(row) for row in echelon) != n - 1:
         return None
-    leading = [next(j for j in range(n) if row[j] != 0) for row in echelon[: n - 1]]
+    leading = [next(j for j in range(n) if row[j]) for row in echelon[: n - 1]]
     kernel = next(j for j in range(n) if j not in leading)
     moved: list[tuple[Any, Any]] = []
     for row in target:
-        parts = [(f * c, b) for c, (f, b) in zip(row, model.components) if c != 0]
+        parts = [(f * model.number(c), b) for c, (f, b) in zip(row, model.components) if c]
         if any(not b.is_constant() for _, b in parts) and len(moved) < n - 1:
             return None
         moved.append(_sum(parts, model))
-    first = [a / b.leading_coefficient() for a, b in moved[: n - 1]]
+    first = [model.reduced(a / b.leading_coefficient()) for a, b in moved[: n - 1]]
     source = _solved(first, leading, kernel, model)
     if source is None:
         return None
@@ -62,15 +60,15 @@ def normal_form(model: Model) -> NormalForm | None:
     functions = tuple(
         (a.compose(*images, ctx=context), b.compose(*images, ctx=context)) for a, b in moved[n - 1 :]
     )
-    return NormalForm(tuple(source), tuple(map(tuple, target)), functions)
+    numbers = (tuple(c if isinstance(c, Algebraic) else rational(c) for c in row) for row in target)
+    return NormalForm(tuple(source), tuple(numbers), functions)
 
 
 def _linear(f: Any, denominator: Any, model: Model) -> list[Any]:
-    """The derivatives at the origin, as fmpq where they are rational."""
+    """The derivatives at the origin."""
     below = model.at_origin(denominator)
     axes = [tuple(int(i == j) for i in range(model.n)) for j in range(model.n)]
-    values = [model.at_origin(f, axis) / below for axis in axes]
-    return [v if isinstance(v, Algebraic) else rational(v) for v in values]
+    return [model.at_origin(f, axis) / below for axis in axes]
 
 
 def _sum(parts: list[tuple[Any, Any]], model: Model) -> tuple[Any, Any]:
@@ -80,14 +78,11 @@ def _sum(parts: list[tuple[Any, Any]], model: Model) -> tuple[Any, Any]:
     return above, below
 
 
-def _reduced(rows: list[list[fmpq]], n: int) -> tuple[list[list[fmpq]], list[list[fmpq]]]:
+def _reduced(rows: list[list[Any]], n: int) -> tuple[list[list[Any]], list[list[Any]]]:
     """(echelon form, the matrix that makes it from the rows)."""
     p = len(rows)
-    both = fmpq_mat(
-        p, n + p, [v for i, row in enumerate(rows) for v in (*row, *(fmpq(i == j) for j in range(p)))]
-    )
-    form = both.rref()[0]
-    whole = [[form[i, j] for j in range(n + p)] for i in range(p)]
+    both = [[*row, *(Fraction(int(i == j)) for j in range(p))] for i, row in enumerate(rows)]
+    whole, _ = linear.echelon(both, n + p)
     return [row[:n] for row in whole], [row[n:] for row in whole]
 
 
@@ -104,7 +99,7 @@ def _solved(first: list[Any], leading: list[int], kernel: int, model: Model) -> 
     for _ in range(n + 2):
         following = list(start)
         for i, j in enumerate(leading):
-            following[j] = gens[i] - rest[i].compose(*found, *model.constants, ctx=context)
+            following[j] = model.reduced(gens[i] - rest[i].compose(*found, *model.constants, ctx=context))
             if following[j].total_degree() > DEGREE:
                 return None
         if following == found:

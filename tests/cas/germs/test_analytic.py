@@ -9,7 +9,7 @@ from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.geometry import prove
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import GROUPS
-from osculant.cas.germs.model import model_of
+from osculant.cas.germs.model_reading import model_of
 from osculant.cas.germs.polynomials import variable
 from osculant.certificates.checker import check
 from osculant.germs.map_germ import germ

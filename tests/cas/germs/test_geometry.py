@@ -12,7 +12,8 @@ from osculant.cas.germs.geometry import Geometry, prove
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import GROUPS, group
 from osculant.cas.germs.local_dimension import isolated, large_zeros
-from osculant.cas.germs.model import model_of, ring
+from osculant.cas.germs.model import ring
+from osculant.cas.germs.model_reading import model_of
 from osculant.cas.germs.normal_form import normal_form
 from osculant.cas.germs.reference import NAMES, reference
 from osculant.cas.germs.schemes import expected, partitions

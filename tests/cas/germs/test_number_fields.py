@@ -166,9 +166,10 @@ RATIONAL = [
     ("x**2 + u**2, x*u", "x u", "K(H)"),
     ("x, u**2 + x*u", "x u", "A(H)"),
     ("x**2*y**2", "x y", "R"),
+    ("x, y**3, x*y", "x y", "A"),
     ("x, x*u**2", "x u", "A(H)"),
 ]
-INFINITE = {"x**2*y**2", "x, x*u**2", "x, y**2"}
+INFINITE = {"x**2*y**2", "x, y**3, x*y", "x, x*u**2", "x, y**2"}
 
 
 def changed(text, source, root):

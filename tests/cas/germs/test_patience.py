@@ -12,7 +12,7 @@ from osculant.cas.errors import UndecidedError
 from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.determinacy import determinacy
 from osculant.cas.germs.germ import Germ
-from osculant.cas.germs.model import HIGH, model_of
+from osculant.cas.germs.model_reading import HIGH, model_of
 from osculant.cas.germs.polynomials import LARGEST
 from osculant.cas.germs.processes import counted, processor_time
 from osculant.cas.germs.search import Patience
