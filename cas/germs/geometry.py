@@ -98,6 +98,11 @@ class Geometry:
         self.over = False
         self.cost: Cost | None = None
 
+    @property
+    def running(self) -> bool:
+        """Whether the process beside takes time."""
+        return self.process is not None and not self.over
+
     def start(self) -> None:
         """Begin, if it has not begun."""
         if self.process is not None or self.over:

@@ -76,7 +76,7 @@ class Search:
         self, n: int, p: int, geometry: Geometry | None, patience: Patience, weights: tuple[int, ...] = ()
     ) -> None:
         self.n, self.p, self.geometry, self.patience, self.weights = n, p, geometry, patience, weights
-        self.order, self.next = 0, 1
+        self.order, self.next, self.expected = 0, 1, 0.0
         self.proof: Degeneration | None = None
         self.last, self.times, self.seen, self.asked, self.cost = -1, 0, 0, False, 0.0
 
@@ -85,7 +85,7 @@ class Search:
         order = self.next
         while order + max(self.weights, default=1) <= highest:
             columns = JetSpace(self.n, self.p, order, self.weights).columns
-            if columns > limit:
+            if columns > limit or self.expected > self.patience.left():
                 return
             begun, self.cost = time.process_time(), 0.0
             yield order
@@ -96,8 +96,8 @@ class Search:
             following = order + max(1, order // 6)
             wider = JetSpace(self.n, self.p, following, self.weights).columns / columns
             self.next = following
-            if self.cost * wider**2 > self.patience.left():
-                return
+            beside = 2 if self.geometry is not None and self.geometry.running else 1  # it takes as much
+            self.expected = self.cost * wider**2 * beside
             order = following
 
     def grown(self, codimension: int) -> bool:
