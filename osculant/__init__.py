@@ -27,8 +27,11 @@ if TYPE_CHECKING:
     from osculant.compiled.approximator import compile_approximator, compile_evaluator
     from osculant.curves.plane import PlaneCurve
     from osculant.curves.space import SpaceCurve
+    from osculant.germs.families import GermFamily, germ_family
+    from osculant.germs.hypersurface import preserving
     from osculant.germs.map_germ import MapGerm, germ
     from osculant.germs.map_jets import JetOfMap, map_jet
+    from osculant.germs.multi import MultiMapGerm, multigerm
     from osculant.pieces.conics import Piece
     from osculant.spline import Spline
     from osculant.thesis.verification import Verification, verify
@@ -37,8 +40,10 @@ __all__ = [
     "Complexity",
     "DomainError",
     "FormulaError",
+    "GermFamily",
     "JetOfMap",
     "MapGerm",
+    "MultiMapGerm",
     "OsculantError",
     "Piece",
     "PlaneCurve",
@@ -55,7 +60,10 @@ __all__ = [
     "complexity",
     "curve",
     "germ",
+    "germ_family",
     "map_jet",
+    "multigerm",
+    "preserving",
     "verify",
 ]
 
@@ -76,6 +84,11 @@ _HOME = {
     "check": "osculant.certificates.checker",
     "RejectedError": "osculant.certificates.check_algebra",
     "MapGerm": "osculant.germs.map_germ",
+    "GermFamily": "osculant.germs.families",
+    "germ_family": "osculant.germs.families",
+    "preserving": "osculant.germs.hypersurface",
+    "MultiMapGerm": "osculant.germs.multi",
+    "multigerm": "osculant.germs.multi",
     "map_jet": "osculant.germs.map_jets",
     "JetOfMap": "osculant.germs.map_jets",
     "Verification": "osculant.thesis.verification",

@@ -76,6 +76,8 @@ class Degeneration:
             "folds": f"the points{where} where the germ on its critical set is no immersion",
             "double": f"the pairs of points{where} with one image ({self.locus.get('of')})",
             "multiple": f"the {multiple}{where} of type {parts}",
+            "together": f"the {multiple} of types {parts} of the branches "
+            f"{', '.join(map(str, self.locus.get('branches', ())))} with one image",
         }
         return f"{texts[kind]} have dimension {self.least} or more"
 
@@ -91,6 +93,9 @@ class Geometry:
     It begins when `start` or `result` is called first, and ends with `stop` or with this object.
     """
 
+    #: what the process runs
+    module = "osculant.cas.germs.geometry"
+
     def __init__(self, germ: Germ, group: Group, kinds: tuple[str, ...] = ()) -> None:
         self.germ, self.group, self.kinds = germ, group, kinds
         self.process: subprocess.Popen[bytes] | None = None
@@ -103,17 +108,21 @@ class Geometry:
         """Whether the process beside takes time."""
         return self.process is not None and not self.over
 
+    def told(self) -> dict[str, Any] | None:
+        """What the process is told, as plain data; None if nothing can be looked for."""
+        return told(self.germ, self.group, self.kinds)
+
     def start(self) -> None:
         """Begin, if it has not begun."""
         if self.process is not None or self.over:
             return
-        told = _told(self.germ, self.group, self.kinds)
-        if told is None:
+        given = self.told()
+        if given is None:
             self.over = True
             return
         path = os.pathsep.join(p for p in sys.path if p)
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "osculant.cas.germs.geometry"],
+            [sys.executable, "-m", self.module],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -123,7 +132,7 @@ class Geometry:
         self.cost = counted(self.process.pid)
         assert self.process.stdin is not None
         with suppress(OSError):
-            self.process.stdin.write(json.dumps(told).encode())
+            self.process.stdin.write(json.dumps(given).encode())
             self.process.stdin.close()
         self.process.stdin = None  # `communicate` shall only read
 
@@ -166,7 +175,8 @@ class Geometry:
             self.stop()
 
 
-def _told(germ: Germ, group: Group, kinds: tuple[str, ...]) -> dict[str, Any] | None:
+def told(germ: Germ, group: Group, kinds: tuple[str, ...]) -> dict[str, Any] | None:
+    """A germ, a group and kinds of loci as plain data; None for a germ that cannot be told."""
     jet = germ.polynomial(poly.LARGEST)
     nodes = germ.components if jet is None else tuple(as_node(f, germ.source, germ.field) for f in jet)
     try:
@@ -194,12 +204,16 @@ def prove(germ: Germ, group: Group, kinds: tuple[str, ...] = ()) -> Degeneration
         return None
     boundary = germ.boundary_index if group.source == "boundary" else None
     waiting = list(loci(model, group.source, group.target, boundary, group.generators(germ)))
-    waiting = [locus for locus in waiting if not kinds or locus.kind["kind"] in kinds]
+    return in_rounds([locus for locus in waiting if not kinds or locus.kind["kind"] in kinds], model.field)
+
+
+def in_rounds(waiting: list[Locus], field: NumberField | None) -> Degeneration | None:
+    """The proof by one of the loci, each tried for a short time first and then for longer and longer."""
     seconds = SLICE
     while waiting and seconds < LONGEST:
         late = []
         for locus in waiting:
-            zeros, done = _in_a_child(locus, model.field, seconds)
+            zeros, done = _in_a_child(locus, field, seconds)
             if zeros is not None:
                 more = {"functions": locus.functions} if locus.functions else {}
                 return Degeneration({**locus.kind, **more}, locus.least, zeros)
@@ -243,7 +257,7 @@ def _in_a_child(
     return (json.loads(text) if status == 0 and text else None), True
 
 
-def _bounded() -> None:
+def bounded() -> None:
     """No process here may take much memory, or live on when the one that began it is gone."""
     with suppress(ImportError, ValueError, OSError):
         import resource
@@ -254,30 +268,32 @@ def _bounded() -> None:
 
 def main() -> None:
     """Read a germ and a group from standard input; print the processor time taken, and the proof or null."""
-    _bounded()
-    told = json.load(sys.stdin)
-    germ = _read(told) if told["polynomials"] is None else _germ(told)
-    name, source, target, fields = told["group"]
-    found = prove(germ, Group(name, source, target, tuple(fields)), tuple(told["kinds"]))
+    bounded()
+    read = json.load(sys.stdin)
+    name, source, target, fields = read["group"]
+    print_proof(prove(germ_of(read), Group(name, source, target, tuple(fields)), tuple(read["kinds"])))
+
+
+def print_proof(found: Degeneration | None) -> None:
+    """Print the processor time of this process and its children, and the proof or null."""
     proof = None if found is None else found.certificate()
-    json.dump({"seconds": sum(os.times()[:4]), "proof": proof}, sys.stdout)  # with those of its children
+    json.dump({"seconds": sum(os.times()[:4]), "proof": proof}, sys.stdout)
 
 
-def _read(told: dict[str, Any]) -> Germ:
-    field = None if told["root"] is None else NumberField.stated(told["root"])
-    names = [*told["source"], *(() if field is None else (str(field.name),))]
-    nodes = parse_tuple(", ".join(told["components"]), names, FILE)
-    return Germ(nodes, told["source"], told["boundary"], field)
-
-
-def _germ(told: dict[str, Any]) -> Germ:
+def germ_of(read: dict[str, Any]) -> Germ:
+    """The germ that `told` tells."""
     from fractions import Fraction
 
+    if read["polynomials"] is None:
+        field = None if read["root"] is None else NumberField.stated(read["root"])
+        names = [*read["source"], *(() if field is None else (str(field.name),))]
+        nodes = parse_tuple(", ".join(read["components"]), names, FILE)
+        return Germ(nodes, read["source"], read["boundary"], field)
     components = [
-        as_node({poly.monomial(term[:-1]): Fraction(term[-1]) for term in f}, tuple(told["source"]))
-        for f in told["polynomials"]
+        as_node({poly.monomial(term[:-1]): Fraction(term[-1]) for term in f}, tuple(read["source"]))
+        for f in read["polynomials"]
     ]
-    return Germ(components, told["source"], told["boundary"])
+    return Germ(components, read["source"], read["boundary"])
 
 
 if __name__ == "__main__":

@@ -108,17 +108,19 @@ def milnor_number(germ: Germ, patience: Patience | None = None) -> int:
     return found.dimension
 
 
-def q_algebra(germ: Germ, patience: Patience | None = None) -> LocalAlgebra:
+def q_algebra(germ: Germ, patience: Patience | None = None, what: str = "Q-algebra") -> LocalAlgebra:
     """Q(f) = O/(f₁, …, fₚ), with its Hilbert function; its dimension is the multiplicity of f.
+
+    ``what`` is its name in errors.
 
     Raises DomainError if it is infinite, UndecidedError if it may be.
 
     >>> q_algebra(Germ("x**2, y**2, x*y", "x y"))
     LocalAlgebra(dimension=3, hilbert=(1, 2))
     """
-    found = _decided(germ.jet, germ, "Q-algebra", "C", patience)
+    found = _decided(germ.jet, germ, what, "C", patience)
     if found is None:
-        raise DomainError(f"The Q-algebra of {germ} is infinite.")
+        raise DomainError(f"The {what} of {germ} is infinite.")
     return found
 
 

@@ -44,8 +44,7 @@ def normal_form(model: Model) -> NormalForm | None:
     echelon, target = _reduced(rows, n)
     if sum(any(row) for row in echelon) != n - 1:
         return None
-    leading = [next(j for j in range(n) if row[j]) for row in echelon[: n - 1]]
-    kernel = next(j for j in range(n) if j not in leading)
+    leading, kernel = _leading(echelon, n)
     moved: list[tuple[Any, Any]] = []
     for row in target:
         parts = [(f * model.number(c), b) for c, (f, b) in zip(row, model.components) if c]
@@ -62,6 +61,41 @@ def normal_form(model: Model) -> NormalForm | None:
     )
     numbers = (tuple(c if isinstance(c, Algebraic) else rational(c) for c in row) for row in target)
     return NormalForm(tuple(source), tuple(numbers), functions)
+
+
+def truncated_form(model: Model, order: int) -> tuple[Any, ...]:
+    """The functions g of a polynomial germ in its normal form (x, g), cut above degree ``order``.
+
+    Here the change of coordinates is a power series, known to that order. For germs of rank n − 1, n ≤ p.
+
+    >>> from osculant.cas.germs.germ import Germ
+    >>> from osculant.cas.germs.model_reading import model_of
+    >>> [str(g) for g in truncated_form(model_of(Germ("x + x**2, x*y + y**3", "x y")), 3)]
+    ['-x^2*y + y^3 + x*y']
+    """
+    n = model.n
+    linear = [_linear(f, b, model) for f, b in model.components]
+    echelon, target = _reduced(linear, n)
+    leading, kernel = _leading(echelon, n)
+    moved = [
+        _sum([(f * model.number(c), b) for c, (f, b) in zip(row, model.components)], model)[0]
+        for row in target
+    ]
+    source = _solved(moved[: n - 1], leading, kernel, model, order)
+    assert source is not None
+    return tuple(_cut(f.compose(*source, ctx=model.context), order) for f in moved[n - 1 :])
+
+
+def _cut(f: Any, order: int) -> Any:
+    """The terms of degree at most ``order``."""
+    kept = {m: c for m, c in f.to_dict().items() if sum(map(int, m)) <= order}
+    return f.context().from_dict(kept)
+
+
+def _leading(echelon: list[list[Any]], n: int) -> tuple[list[int], int]:
+    """The leading columns of an echelon form of rank n − 1, and the one that is none."""
+    leading = [next(j for j in range(n) if row[j]) for row in echelon[: n - 1]]
+    return leading, next(j for j in range(n) if j not in leading)
 
 
 def _linear(f: Any, denominator: Any, model: Model) -> list[Any]:
@@ -86,8 +120,13 @@ def _reduced(rows: list[list[Any]], n: int) -> tuple[list[list[Any]], list[list[
     return [row[:n] for row in whole], [row[n:] for row in whole]
 
 
-def _solved(first: list[Any], leading: list[int], kernel: int, model: Model) -> list[Any] | None:
-    """The old coordinates as polynomials in X₁, …, X_{n−1}, the first variables, and y, the last."""
+def _solved(
+    first: list[Any], leading: list[int], kernel: int, model: Model, order: int | None = None
+) -> list[Any] | None:
+    """The old coordinates as polynomials in X₁, …, X_{n−1}, the first variables, and y, the last.
+
+    With an order they are cut above it; without, None if they are no polynomials of small degree.
+    """
     n, gens, context = model.n, model.variables, model.context
     start = [context.constant(0)] * n
     for i, j in enumerate(leading):
@@ -96,13 +135,15 @@ def _solved(first: list[Any], leading: list[int], kernel: int, model: Model) -> 
     # fᵢ = x_{leading i} + (kernel part) + higher: the remainder is pushed to the other side
     rest = [f - gens[j] for f, j in zip(first, leading)]
     found = list(start)
-    for _ in range(n + 2):
+    for _ in range(n + 2 if order is None else order + 1):
         following = list(start)
         for i, j in enumerate(leading):
             following[j] = model.reduced(gens[i] - rest[i].compose(*found, *model.constants, ctx=context))
-            if following[j].total_degree() > DEGREE:
+            if order is not None:
+                following[j] = _cut(following[j], order)
+            elif following[j].total_degree() > DEGREE:
                 return None
         if following == found:
             return found
         found = following
-    return None
+    return None if order is None else found

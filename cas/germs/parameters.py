@@ -40,6 +40,7 @@ from osculant.cas.germs.roots import (
     rational_root,
     real_roots,
 )
+from osculant.cas.germs.search import Patience
 from osculant.cas.germs.tangent import JetSpace, Vector, vectors
 
 #: seconds for the proof that the codimension at an exceptional value is infinite
@@ -93,7 +94,11 @@ class FamilyCodimension:
 
 
 def codimension_of_family(
-    family: Family, name: str | Group, extended: bool = False, curves: bool = True
+    family: Family,
+    name: str | Group,
+    extended: bool = False,
+    curves: bool = True,
+    patience: Patience | None = None,
 ) -> FamilyCodimension:
     """The codimension of the orbit of f_a in a family of one parameter a, and where it jumps.
 
@@ -103,6 +108,7 @@ def codimension_of_family(
         extended: whether T G_e f in θ is meant instead of T G f in Mθ.
         curves: whether "infinite" is to be proved at rational exceptional values that are not settled, by
             looking for too many bad points, which may take seconds; without, they count as not settled.
+        patience: the time for the samples and that proof; without, each has `search.SECONDS` or `SECONDS`.
 
     Raises DomainError for another number of parameters, UndecidedError if the codimension is infinite or not
     settled at the sample values of a.
@@ -117,7 +123,7 @@ def codimension_of_family(
             f"A vector field of {g.name} has a fraction as coefficient: multiply it by an integer."
         )
     version = Version.EXTENDED if extended else Version.ORDINARY
-    for value, found, bound in _samples(family, g, extended):
+    for value, found, bound in _samples(family, g, extended, patience):
         assert found.tangent is not None
         order, depth = found.tangent.space.order, max(found.tangent.depth, 0)
         entries = diagonal_form(rows_over_polynomials(germ, vectors(germ, g, version, order), order))
@@ -131,7 +137,7 @@ def codimension_of_family(
             if others is None:
                 continue
             candidates += [q for q in others if q not in candidates]
-        jumps = (_exceptional(family, g, extended, q, order, curves) for q in candidates)
+        jumps = (_exceptional(family, g, extended, q, order, curves, patience) for q in candidates)
         exceptional = tuple(e for e in jumps if e.codimension != generic)
         return FamilyCodimension(generic, _sorted(exceptional), order, bound, value)
     raise UndecidedError(
@@ -208,14 +214,16 @@ def _modulus(family: Family, g: Group) -> Moduli:
     return Moduli(number, found.value, True, {family.parameters[0]: found.sample})
 
 
-def _samples(family: Family, g: Group, extended: bool) -> list[tuple[Fraction, Codimension, int]]:
+def _samples(
+    family: Family, g: Group, extended: bool, patience: Patience | None
+) -> list[tuple[Fraction, Codimension, int]]:
     """(value, codimension, l) at the samples where it is finite, the least codimension first."""
     found = []
     for value in SAMPLES:
         germ = family.at(**{family.parameters[0]: value})
-        here = codimension(germ, g, extended)
+        here = codimension(germ, g, extended, patience)
         if here.finite:
-            bound = contact_bound(germ, g) if g.target == "left" else 1
+            bound = contact_bound(germ, g, patience) if g.target == "left" else 1
             assert not isinstance(bound, Degeneration)  # the codimension is finite
             found.append((value, here, bound))
     return sorted(found, key=lambda triple: _value(triple[1]))
@@ -263,7 +271,13 @@ def _factors(entries: Iterable[Any]) -> list[Coefficients]:
 
 
 def _exceptional(
-    family: Family, g: Group, extended: bool, q: Coefficients, order: int, curves: bool
+    family: Family,
+    g: Group,
+    extended: bool,
+    q: Coefficients,
+    order: int,
+    curves: bool,
+    patience: Patience | None,
 ) -> ExceptionalValue:
     found = codimension_at_root(GenericGerm(family), g, extended, q, order)
     root, parameter = rational_root(q), family.parameters[0]
@@ -271,7 +285,8 @@ def _exceptional(
     if value is None and root is not None:
         member = family.at(**{parameter: root})
         geometry = Geometry(member, g)
-        if curves and geometry.result(SECONDS) is not None:
+        seconds = SECONDS if patience is None else max(min(SECONDS, patience.left()), 0.0)
+        if curves and geometry.result(seconds) is not None:
             value = "infinite"
         geometry.stop()
     return ExceptionalValue(polynomial_text(q, parameter), root, real_roots(q), value, found.at_least)

@@ -50,6 +50,15 @@ def _follows(n: int, p: int, parts: tuple[int, ...], least: int) -> bool:
     return False
 
 
+def cycles(size: int) -> Iterator[tuple[int, ...]]:
+    """The partitions of a number, the largest parts first: the types of permutations by their cycles.
+
+    >>> list(cycles(3))
+    [(3,), (2, 1), (1, 1, 1)]
+    """
+    return _partitions(size, size)
+
+
 def _partitions(size: int, largest: int) -> Iterator[tuple[int, ...]]:
     if not size:
         yield ()

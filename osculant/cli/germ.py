@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from osculant.cli import germ_kinds
 from osculant.cli.germ_rows import certificate_rows, head, listed, rows, versality_rows
 from osculant.cli.grammar import FormulaCommand, UsageError
 from osculant.cli.options import AsJson, number, whole_number
@@ -21,7 +23,8 @@ Formulas = Annotated[
     str,
     typer.Argument(
         metavar="FORMULA",
-        help='The components, such as "x, x*y + y^3", which vanish at 0; or @FILE, a file that holds them.',
+        help='The components, such as "x, x*y + y^3", which vanish at 0; or @FILE, a file that holds them. '
+        "Branches of a multigerm stand between semicolons.",
     ),
 ]
 Source = Annotated[
@@ -87,6 +90,29 @@ Versal = Annotated[
         help="Read the germ as an unfolding with these parameters, and tell whether it is versal.",
     ),
 ]
+Parameters = Annotated[
+    str | None,
+    typer.Option(
+        "--parameters",
+        metavar="NAMES",
+        help="Read the germ as a family with these parameters: the codimension by their values.",
+    ),
+]
+Preserving = Annotated[
+    str | None,
+    typer.Option(
+        "--preserving",
+        metavar="H",
+        help="Source changes preserve the hypersurface H = 0: the group R(V), K(V) or A(V), by --group; by "
+        "default R(V) for a function, else K(V).",
+    ),
+]
+WithInvariants = Annotated[
+    bool,
+    typer.Option(
+        "--invariants", help="Print δ, cusps, cross-caps, triple points, Milnor numbers and the like."
+    ),
+]
 Latex = Annotated[bool, typer.Option("--latex", help="Print LaTeX.")]
 
 #: columns of the names in front of the answers
@@ -111,6 +137,9 @@ def germ(
     transversal: Transversal = None,
     order: Order = None,
     versal: Versal = None,
+    parameters: Parameters = None,
+    preserving: Preserving = None,
+    with_invariants: WithInvariants = False,
     patience: Patience = "10",
     certificate: Certificate = False,
     latex: Latex = False,
@@ -138,34 +167,68 @@ def germ(
         if not formulas[1:].strip():
             raise UsageError("The name of the file is missing after @: write for instance @germ.txt.")
         formulas = Path(formulas[1:].strip())
-    given = map_germ.germ(
-        formulas, source, boundary, at=at, root=root, patience=number(patience, "--patience")
-    )
+    seconds = number(patience, "--patience")
+    special = {
+        "--preserving": preserving,
+        "--at": at,
+        "--root": root,
+        "--transversal": transversal,
+        "--versal": versal,
+        "--certificate": certificate,
+    }
+    special |= {"--latex": latex, "--invariants": with_invariants}
+    if parameters is not None:
+        with Waiting("computing"):
+            data = germ_kinds.of_family(formulas, source, parameters, boundary, group, seconds, special)
+        _print(data, germ_kinds.family_rows(data), as_json)
+        return
+    if germ_kinds.branched(formulas):
+        special |= {"--group": group, "--boundary": boundary}
+        with Waiting("computing"):
+            data = germ_kinds.of_multigerm(formulas, source, seconds, special)
+        _print(data, germ_kinds.multigerm_rows(data), as_json)
+        return
+    given = map_germ.germ(formulas, source, boundary, at=at, root=root, patience=seconds)
+    acting: Any = group
+    if preserving is not None:
+        germ_kinds.refuse({"--certificate": certificate}, "The group of a hypersurface (--preserving)")
+        from osculant.germs.hypersurface import preserving as of_hypersurface
+
+        kind = group or ("R" if given.target == 1 else "K")
+        acting = of_hypersurface(preserving, source, kind, patience=seconds)
     if transversal is not None:
-        data = _transversal(given, whole_number(transversal, "--transversal"), group, order or ())
+        data = _transversal(given, whole_number(transversal, "--transversal"), acting, order or ())
         table = [*head(data), *listed(f"{data['jet'] + 1}-transversal", data["transversal"])]
     elif versal is not None:
-        data = _versality(given, versal, group)
+        data = _versality(given, versal, acting)
         table = list(versality_rows(data))
     else:
         from osculant.germs.report import report
 
         with Waiting("computing") as progress:
-            data = report(given, group, progress)
+            data = report(given, acting, progress)
         if as_json and certificate:
             data = {"kind": "germ", "version": 1, **data}  # a certificate file
         table = [*rows(data), *(certificate_rows(data["certificate"]) if certificate else ())]
-    if as_json:
-        print_json(data)
-    elif latex:
+        if with_invariants:
+            data["invariants"] = given.invariants()
+            table += germ_kinds.invariant_rows(data["invariants"])
+    if latex:
         from osculant.germs.latex import report_latex
 
         print("\n".join(report_latex(given, data)))
     else:
+        _print(data, table, as_json)
+
+
+def _print(data: dict[str, Any], table: Iterable[tuple[str, str]], as_json: bool) -> None:
+    if as_json:
+        print_json(data)
+    else:
         print_rows(table, MARGIN, min(output_width(), WIDEST) if sys.stdout.isatty() else None)
 
 
-def _described(given: MapGerm, group: str | None) -> dict[str, Any]:
+def _described(given: MapGerm, group: Any) -> dict[str, Any]:
     described = {
         "source": list(given.source),
         "target": given.target,
@@ -176,12 +239,12 @@ def _described(given: MapGerm, group: str | None) -> dict[str, Any]:
     return described if given.at is None else {**described, "at": list(given.at)}
 
 
-def _transversal(given: MapGerm, k: int, group: str | None, order: Any) -> dict[str, Any]:
+def _transversal(given: MapGerm, k: int, group: Any, order: Any) -> dict[str, Any]:
     found = list(given.transversal(k, group, order))
     return {**_described(given, group), "jet": k, "transversal": found}
 
 
-def _versality(given: MapGerm, parameters: str, group: str | None) -> dict[str, Any]:
+def _versality(given: MapGerm, parameters: str, group: Any) -> dict[str, Any]:
     f, found = given.versality(parameters, group)
     return {
         **_described(f, group),

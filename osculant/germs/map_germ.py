@@ -310,6 +310,18 @@ class MapGerm:
         except DomainError:
             return "infinite"
 
+    def invariants(self) -> dict[str, Any]:
+        """δ, cusps, double folds, cross-caps, triple points, Milnor numbers: as for these dimensions.
+
+        Plain data, as `osculant.germs.invariants.invariants` describes it.
+
+        >>> germ("x, y**2, y**3 + x**3*y", "x y").invariants()["image_milnor"]
+        2
+        """
+        from osculant.germs.invariants import invariants
+
+        return invariants(self)
+
     @property
     def patience(self) -> Patience:
         """The time that a question asked now may take."""
