@@ -16,10 +16,10 @@ import sympy as sp
 from osculant.cas.errors import UndecidedError
 from osculant.cas.formulas.parser import parse_constant
 from osculant.cas.formulas.sympy_bridge import to_sympy
+from osculant.cas.germs.entry import instance
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import group
 from osculant.cas.germs.polynomials import exponents_of
-from osculant.cas.germs.reference import instance
 
 AH = group("A(H)")
 VARIABLES = "x1 x2 x3 u"

@@ -12,11 +12,12 @@ from osculant.cas.claims.proof import integers, read, read_tuple, split, vanishe
 from osculant.cas.errors import DomainError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.codimension import codimension
+from osculant.cas.germs.entry import Entry
 from osculant.cas.germs.family import Family
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.local_algebra import multiplicity
 from osculant.cas.germs.parameters import codimension_of_family, moduli
-from osculant.cas.germs.reference import Entry, reference
+from osculant.cas.germs.reference import reference
 from osculant.cas.germs.secants import RING, chord, secant_germ
 from osculant.cas.germs.unfolding import is_stable
 

@@ -6,8 +6,9 @@ from osculant.cas.claims.chapter_6.germ_signs import AH, number
 from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.errors import DomainError
 from osculant.cas.germs.codimension import codimension
+from osculant.cas.germs.entry import instance
 from osculant.cas.germs.germ import Germ
-from osculant.cas.germs.reference import instance, reference
+from osculant.cas.germs.reference import reference
 
 #: unstable germs of finite codimension, in several dimensions n and p
 UNSTABLE = (

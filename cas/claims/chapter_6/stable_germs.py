@@ -7,9 +7,10 @@ from osculant.cas.claims.claim import Check, Evidence, Method, claim
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs.codimension import codimension, contact_bound
 from osculant.cas.germs.determinacy import determinacy
+from osculant.cas.germs.entry import Entry
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import group
-from osculant.cas.germs.reference import Entry, reference
+from osculant.cas.germs.reference import reference
 from osculant.cas.germs.unfolding import is_stable
 
 AH = group("A(H)")

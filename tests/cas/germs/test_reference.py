@@ -12,11 +12,13 @@ from osculant.cas.errors import DomainError, FormulaError, OsculantError
 from osculant.cas.germs import reference as module
 from osculant.cas.germs.codimension import codimension, contact_bound
 from osculant.cas.germs.determinacy import determinacy
+from osculant.cas.germs.entry import halved, instance
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import group
-from osculant.cas.germs.local_algebra import milnor_number
-from osculant.cas.germs.reference import NAMES, entries, halved, instance, reference
+from osculant.cas.germs.local_algebra import milnor_number, q_algebra
+from osculant.cas.germs.reference import NAMES, entries, reference
 from osculant.cas.germs.unfolding import is_stable
+from osculant.cas.germs.weights import weights
 from tests.cas.germs.oracles import tjurina_number
 
 
@@ -30,7 +32,7 @@ def cases(*names):
 
 
 @pytest.mark.parametrize("entry, signs, parameters", cases(*NAMES))
-def test_codimensions(entry, signs, parameters):
+def test_codimensions_and_degrees_of_determinacy(entry, signs, parameters):
     germ, n = entry.germ(signs, **parameters), len(entry.variables)
     ordinary = codimension(germ, entry.group).value
     extended = codimension(germ, entry.group, extended=True).value
@@ -39,18 +41,43 @@ def test_codimensions(entry, signs, parameters):
         assert known[name] == entry.value(name, **parameters), name
     # the relations between both codimensions; u∂/∂u vanishes at 0 for the groups that preserve H
     moving = n - 1 if "(H)" in entry.group else n
-    if germ.p > 1:
+    if entry.group[0] == "A":
         assert extended == max(0, ordinary - moving)
-    else:
-        assert ordinary == extended + moving - 1
+        assert is_stable(germ, entry.group) == entry.stable(**parameters)
+    else:  # the constants and the translations, which are independent where f is singular
+        assert ordinary == extended + moving - germ.p
+    found = determinacy(germ, entry.group)
+    assert found.degree == entry.value("determinacy", **parameters) and found.sharp
 
 
-@pytest.mark.parametrize("entry, signs, parameters", cases("thom", "simple functions"))
+@pytest.mark.parametrize("entry, signs, parameters", cases("thom", "simple functions", "unimodal functions"))
 def test_functions(entry, signs, parameters):
     germ = entry.germ(signs, **parameters)
-    found = determinacy(germ, "R")
-    assert found.degree == entry.value("determinacy", **parameters) and found.sharp
-    assert milnor_number(germ) == tjurina_number(germ) == entry.value("cod_e", **parameters)
+    tjurina = entry.value("tjurina" if "tjurina" in entry.values else "cod_e", **parameters)
+    assert milnor_number(germ) == entry.value("cod_e", **parameters)
+    assert codimension(germ, "K", extended=True).value == tjurina
+    assert tjurina_number(germ) == tjurina
+
+
+@pytest.mark.parametrize("entry, signs, parameters", cases("boundary functions"))
+def test_boundary_functions(entry, signs, parameters):
+    # μ(f) + μ(f on H), of which the first is 0 where f is regular, is the codimension for R(H)_e
+    germ = entry.germ(signs, **parameters)
+    assert codimension(germ, "K(H)", extended=True).value == entry.value("tjurina", **parameters)
+    others = [name for name in entry.variables if name != entry.boundary]
+    restricted = instance(entry.formula(signs, **parameters), None, {entry.boundary: "0"})
+    numbers = [germ, Germ(restricted, others)]
+    regular = any(germ.jet(1))
+    assert sum(map(milnor_number, numbers[regular:])) == entry.value("cod_e", **parameters)
+
+
+@pytest.mark.parametrize("entry, signs, parameters", cases("simple icis"))
+def test_milnor_numbers_of_complete_intersections(entry, signs, parameters):
+    germ, milnor = entry.germ(signs, **parameters), entry.value("milnor", **parameters)
+    if germ.n == germ.p:
+        assert q_algebra(germ).dimension == milnor + 1
+    else:  # of curves that are quasi-homogeneous: Greuel
+        assert codimension(germ, "K", extended=True).value == milnor and weights(germ) is not None
 
 
 @pytest.mark.parametrize("entry, signs, parameters", cases("table 6.2"))
@@ -58,8 +85,6 @@ def test_stable_germs(entry, signs, parameters):
     germ = entry.germ(signs, **parameters)
     assert is_stable(germ, "A(H)")
     assert contact_bound(germ, group("A(H)")) == entry.value("bound")
-    found = determinacy(germ, "A(H)")
-    assert found.degree == entry.value("determinacy") and found.sharp
 
 
 @pytest.mark.parametrize("entry, signs, parameters", cases("table 6.1"))
@@ -107,7 +132,9 @@ def test_adding_squares_keeps_the_milnor_number(n):
 
 
 def test_every_list_has_title_source_and_entries():
-    assert len(entries()) == sum(len(reference(name).entries) for name in NAMES) >= 90
+    assert len(entries()) == sum(len(reference(name).entries) for name in NAMES) >= 270
+    germs = {(e.list, e.formula(None, **parameters)) for e in entries() for _, parameters in e.tried()}
+    assert len(germs) >= 440  # without their signs
     for name in NAMES:
         found = reference(name)
         assert found.title and re.search(r"\b(19|20)\d\d\b", found.source)
@@ -116,9 +143,42 @@ def test_every_list_has_title_source_and_entries():
         assert reference(name.replace(" ", "_").upper()) is found
 
 
+def test_every_germ_has_its_numbers():
+    for entry in entries():
+        assert {"cod", "cod_e", "determinacy"} <= entry.values.keys(), entry.id
+        assert set(entry.computed) <= entry.values.keys(), entry.id
+        assert set(entry.printed_values) <= entry.values.keys(), entry.id
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_germ_of_a_list_has_its_own_name(name):
+    owners = {}
+    for entry in reference(name).entries:
+        for signs, parameters in entry.tried():
+            called = entry.called(signs, **parameters)
+            assert not set(called) & set("{}±_ ") or "_" in entry.id, called
+            assert owners.setdefault(called, (entry.id, parameters)) == (entry.id, parameters)
+
+
+def test_names():
+    names = reference("unimodal functions")["X_9+k"]
+    assert names.called((1, -1), k=2, a="-4/2") == "X11+-(-2)"
+    assert reference("space curves")["3,3k+1,3l+2"].called(k=2, l=3) == "3,7,11"
+    assert reference("simple functions")["A_k"].called((1, -1), k=3) == "A3"  # no signs in the name
+    with pytest.raises(DomainError, match="takes 1 signs"):
+        reference("mond")["S_k"].called((1, 1), k=1)
+
+
 def test_every_file_of_data_is_a_list():
     files = {path.stem for path in Path(module.__file__).parent.joinpath("data").glob("*.toml")}
     assert files == {re.sub(r"[ .]", "_", name) for name in NAMES} and len(set(NAMES)) == len(NAMES)
+
+
+def test_nothing_is_decided_by_the_lists():
+    own = {"reference.py", "entry.py"}
+    for path in Path(module.__file__).parent.glob("*.py"):
+        text = path.read_text("utf-8")
+        assert path.name in own or not re.search(r"germs(\.| import )(reference|entry)\b", text), path.name
 
 
 def test_lists_without_a_source_or_with_doubles_are_refused():
@@ -127,6 +187,8 @@ def test_lists_without_a_source_or_with_doubles_are_refused():
         replace(found, source=" ")
     with pytest.raises(DomainError, match=f"two entries {found.entries[0].id!r}"):
         replace(found, entries=(*found.entries, found.entries[0]))
+    with pytest.raises(DomainError, match="two entries called 'A2': rename one"):
+        replace(found, entries=(*found.entries, replace(found.entries[0], id="fold")))
 
 
 def test_tables_list_what_is_printed():
@@ -165,7 +227,10 @@ def test_only_whole_names_are_replaced():
         (lambda: reference("simple functions")["E_8"].germ(k=8), "takes no parameters; given: k"),
         (lambda: reference("simple functions")["D_k"].germ((1, 1), k=4), "takes 1 signs"),
         (lambda: reference("simple functions")["D_k"].germ((2,), k=4), "each 1 or -1"),
-        (lambda: reference("rieger")["5"].value("determinacy"), "no 'determinacy'"),
+        (lambda: reference("rieger")["5"].value("milnor"), "no 'milnor'"),
+        (lambda: reference("simple functions")["E_8"].stable(), "a list for R: only germs for A"),
+        (lambda: reference("space curves")["3,3k+1,3l+2"].germ(k=2, l=4), "k = 2, l = 4 is out of the range"),
+        (lambda: reference("plane curves")["E_6k,p"].value("cod", k=3, p=2), "k - 2 - p must be at least 0"),
         (lambda: reference("rieger")["5"].projected(), "no projections"),
         (lambda: reference("rieger")["5"].projected_secant(), "no secant germ"),
         (lambda: halved(Germ("v, l**3", "v l"), "l"), "not even in l"),
