@@ -37,7 +37,7 @@ class Frame:
 
     ``source_weights`` and ``target_weights`` are the eigenvalues of a symmetry that has them as eigenvectors;
     None where there is no such, or an eigenvalue is not rational. ``moved`` tells whether they are new
-    coordinates.
+    coordinates, ``kinds`` how many different eigenvalues there are on either side, in all.
     """
 
     source: Matrix
@@ -45,6 +45,7 @@ class Frame:
     source_weights: tuple[Fraction, ...] | None = None
     target_weights: tuple[Fraction, ...] | None = None
     moved: bool = True
+    kinds: int = 0
 
     def field(self, field: LinearField) -> Matrix:
         """The matrix, in the old coordinates, of the field X_a ∂/∂X_b of the new ones.
@@ -108,7 +109,7 @@ def adapted(germ: Germ, group: Group, order: int) -> Frame | None:
         if group.target == "none":
             target = unit(germ.p)
         if best is None or (kinds + others, -size) > best[0]:
-            best = (kinds + others, -size), Frame(source, target, own, theirs)
+            best = (kinds + others, -size), Frame(source, target, own, theirs, True, kinds + others)
     if best is None or best[0][0] <= 2:  # all eigenvalues equal on either side: nothing is told apart
         return None
     return best[1]

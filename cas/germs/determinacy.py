@@ -204,8 +204,7 @@ class _Question:
     def frames(self, k: int) -> Iterator[Frame]:
         """The coordinates given, with the weights of the germ if it has some, and those adapted to it."""
         yield self.plain
-        if (moved := self.adapted(k + min(self.bound, 2))) is not None:
-            yield moved
+        yield from self.adapted(k + min(self.bound, 2))
 
     @property
     def plain(self) -> Frame:
@@ -220,17 +219,18 @@ class _Question:
         made: Frame = self.germ.known[key]
         return made
 
-    def adapted(self, order: int) -> Frame | None:
-        """Coordinates adapted to the jet of that order or else of a lower one."""
+    def adapted(self, order: int) -> Iterator[Frame]:
+        """Coordinates adapted to the jet of that order, and to jets of lower orders that tell more apart."""
         key = "adapted", self.group
-        if key not in self.germ.known:
-            orders = (
-                k for k in range(order, 1, -1) if JetSpace(self.germ.n, self.germ.p, k).columns <= GRADED
-            )
-            found = (adapted(self.germ, self.group, k) for k in orders)
-            self.germ.known[key] = next(filter(None, found), None)
-        made: Frame | None = self.germ.known[key]
-        return made
+        columns = {k: JetSpace(self.germ.n, self.germ.p, k).columns for k in range(order, 1, -1)}
+        fresh: tuple[list[int], list[Frame]] = [k for k in columns if columns[k] <= GRADED], []
+        left, found = self.germ.known.setdefault(key, fresh)
+        yield from tuple(found)
+        while left:
+            frame = adapted(self.germ, self.group, left.pop(0))
+            if frame is not None and all(frame.kinds > other.kinds for other in found):
+                found.append(frame)
+                yield frame
 
     def told(
         self, k: int, choices: Choices, frame: Frame, fields: Fields, known: Sharpness | None

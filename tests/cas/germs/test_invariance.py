@@ -198,6 +198,17 @@ def test_scalings_and_permutations_leave_everything_as_it_is(case, group, data):
         assert (one.degree, one.bound, one.sharp) == (other.degree, other.bound, other.sharp)
 
 
+@pytest.mark.parametrize(
+    ("curve", "degree"), [("t**4, t**6 + t**7, t**9", 9), ("t**4, t**7 - t**9, t**10", 10)]
+)
+def test_degrees_of_curves_whose_lowest_jets_alone_have_symmetries(curve, degree):
+    # in the 7- and 9-jets only the third component is told apart from the others
+    a, b, c = (f"({f})" for f in curve.split(", "))
+    moved = Germ(f"{a} + {b} + {c}, {a} - {b} + 2*{c}, 3*{a} + 2*{b} - {c} + {a}*{b}", "t")
+    found = determinacy(moved, "A")
+    assert found.degree == degree and found.sharp
+
+
 numbers_of_degree_4 = st.lists(st.integers(-3, 3), min_size=14, max_size=14)
 
 
