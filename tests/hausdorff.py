@@ -25,6 +25,8 @@ ORDER, NARROWEST, MOST = 8, 2.0**-44, 20_000
 SAMPLES, INNER, AGAIN = 100, 4, 9
 #: peaks lower than this part of the highest are not looked at again, nor are more than so many
 HIGH, MOST_PEAKS = 0.97, 8
+#: nearest samples among which the nearest point is looked for where the distance is high
+AMONG = 12
 #: looks at each peak, and what the last of them may add, in parts of the height
 ROUNDS, GAIN = 16, 1e-9
 
@@ -34,7 +36,11 @@ ON_ARRAYS = {
 ON_SERIES = {
     name: getattr(arb_series, name)
     for name in ("exp", "sin", "cos", "log", "sqrt", "tan", "atan", "asin", "acos")
-} | {"tanh": lambda x: 1 - 2 / ((2 * x).exp() + 1)}
+} | {
+    "tanh": lambda x: 1 - 2 / ((2 * x).exp() + 1),
+    "cosh": lambda x: (x.exp() + (-x).exp()) / 2,
+    "sinh": lambda x: (x.exp() - (-x).exp()) / 2,
+}
 
 
 class GaveUpError(Exception):
@@ -233,13 +239,18 @@ class Track:
     points: np.ndarray
     at: object
 
-    def distances(self, points):
-        """The distances of points (n, dimension) from the cubics through neighbouring samples."""
-        nearest = self.tree.query(points)[1]
-        found = np.linalg.norm(points - self.points[nearest], axis=1)
-        for shift in (-1, 0):
-            i = np.clip(nearest + shift, 0, len(self.places) - 2)
-            found = np.minimum(found, self._from_cubic(points, i))
+    def distances(self, points, among=1):
+        """The distances of points (n, dimension) from the cubics through neighbouring samples.
+
+        Tried are those at so many nearest samples: where a curve comes back to itself the very nearest may be
+        on another branch than the nearest point.
+        """
+        found = np.full(len(points), np.inf)
+        for nearest in self.tree.query(points, range(1, among + 1))[1].T:
+            found = np.minimum(found, np.linalg.norm(points - self.points[nearest], axis=1))
+            for shift in (-1, 0):
+                i = np.clip(nearest + shift, 0, len(self.places) - 2)
+                found = np.minimum(found, self._from_cubic(points, i))
         return found
 
     @cached_property
@@ -284,6 +295,12 @@ def newton_form(table, x, u):
 def one_sided(one, other):
     """The largest distance of a point of one track from the other."""
     found = other.distances(one.points)
+    while True:  # only the largest matter
+        high = np.flatnonzero(found >= found.max() / 2)
+        nearer = np.minimum(found[high], other.distances(one.points[high], AMONG))
+        if (nearer == found[high]).all():
+            break
+        found[high] = nearer
     top = found.max()
     padded = np.concatenate([[-1.0], found, [-1.0]])
     peaks = np.flatnonzero((found >= padded[:-2]) & (found >= padded[2:]) & (found >= HIGH * top))
@@ -291,7 +308,7 @@ def one_sided(one, other):
     low, high = one.places[np.maximum(peaks - 1, 0)], one.places[np.minimum(peaks + 1, len(found) - 1)]
     for _ in range(ROUNDS):
         places = low[:, None] + (high - low)[:, None] * np.linspace(0, 1, AGAIN)
-        again = other.distances(one.at(places.ravel())).reshape(places.shape)
+        again = other.distances(one.at(places.ravel()), AMONG).reshape(places.shape)
         best = np.clip(np.argmax(again, axis=1), 1, AGAIN - 2)
         rows = np.arange(len(peaks))
         top = max(top, again.max())

@@ -42,7 +42,7 @@ FAILURES = ("EXCESS", "UNTOLD", "TRACEBACK")
 NEAR, AGAIN = 5e-7, (6, 24, 96)
 #: primitives, with their share of the curves, and of those how many have another parametrisation than the
 #: plain one: special points take their time
-PLANE = {"parabola": (1, 0.1), "conic": (1, 0.1), "biarc": (2, 0.3), "polygon": (2, 0.5)}
+PLANE = {"parabola": (1, 0.1), "conic": (1, 0.1), "cubic": (1, 0.1), "biarc": (2, 0.3), "polygon": (2, 0.5)}
 SPACE = {"bihelix": (3, 0.2), "polygon": (2, 0.6)}
 
 

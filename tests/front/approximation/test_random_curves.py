@@ -35,7 +35,14 @@ def test_seeds_tell_curves():
     assert draw(7) == draw(7)
     cases = [draw(seed) for seed in range(200)]
     assert len({case.question for case in cases}) == 200
-    assert {case.primitive for case in cases} == {"parabola", "conic", "biarc", "bihelix", "polygon"}
+    assert {case.primitive for case in cases} == {
+        "parabola",
+        "conic",
+        "cubic",
+        "biarc",
+        "bihelix",
+        "polygon",
+    }
 
 
 #: what went wrong before the course of a curve began with its parts: features that no sample saw
