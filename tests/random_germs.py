@@ -30,7 +30,8 @@ from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.determinacy import determinacy
 from osculant.cas.germs.entry import Entry, Value
-from osculant.cas.germs.germ import Germ, as_node
+from osculant.cas.germs.expansion import as_node
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.jets_of_maps import map_jet
 from osculant.cas.germs.polynomials import Polynomial
 from osculant.cas.germs.reference import entries
