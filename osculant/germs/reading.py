@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.formulas.expression import ZERO, Node, variable
 from osculant.cas.formulas.graph import variables
 from osculant.cas.formulas.parser import FILE, parse, parse_constant, parse_tuple
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.algebraic import NumberField
+
+if TYPE_CHECKING:
+    from osculant.cas.germs.algebraic import NumberField
 
 
 def names_of(source: Any) -> tuple[str, ...]:
@@ -33,6 +35,8 @@ def stated_field(root: str, names: Sequence[str]) -> NumberField:
     >>> stated_field("a^2 - 2", ("x", "y")).degree
     2
     """
+    from osculant.cas.germs.algebraic import NumberField
+
     field = NumberField.stated(root)
     if field.name in names:
         raise DomainError(
