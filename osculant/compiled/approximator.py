@@ -129,7 +129,7 @@ def compile_approximator(
     if primitive == "best":
         raise DomainError(
             "The best primitive is that for one tolerance, and a library is for all: choose one of "
-            f"{', '.join(usual_first(about.dimension))}; `osculant.approximate` tells which for one tolerance."
+            f"{', '.join(usual_first(about.dimension))}; `osculant.approximate` tells which for one."
         )
     fit = choose(
         primitive or USUAL[about.dimension], metric, rule, dimension=about.dimension, curve=about.text

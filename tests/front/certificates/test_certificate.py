@@ -246,7 +246,8 @@ def test_a_closed_curve_may_begin_anywhere():
 
 def test_without_a_series_there_is_a_reason_and_no_bound():
     curve = PlaneCurve("t, 1/t", -1, 2)
-    spline = replace(spline_of([Piece.segment((-1.0, 2.0), (-1.0, -1.0), (2.0, 0.5))]), curve=curve)
+    segment = Piece.segment((-1.0, 2.0), (-1.0, -1.0), (2.0, 0.5))
+    spline = replace(spline_of([segment]), curve=curve, given="pieces")
     proof = spline.certify()
     assert proof.upper == math.inf
     assert not proof.within
