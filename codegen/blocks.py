@@ -11,15 +11,16 @@ import ctypes
 import math
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
-import llvmlite.binding as llvm
 import numpy as np
 from llvmlite import ir
 
 from osculant.cas.formulas.expression import Node
+from osculant.cas.formulas.rationals import as_double
 from osculant.cas.numbers.taylor import Program, program
-from osculant.codegen.jets import LOCK, as_double, bind_libm, compile_jet, target, target_machine
+from osculant.codegen.jets import CompiledJet, compile_jet, engine_of, libm_function, target
 from osculant.codegen.vectors import DOUBLE, INTEGER, Vectors
 
 #: functions that vectors have; others are libm's, lane by lane
@@ -104,12 +105,7 @@ class _Printer:
 
     def one_by_one(self, name: str, x: Any, more: list[Any]) -> Any:
         """libm's function of each lane."""
-        function = self.module.globals.get(name)
-        if function is None:
-            kind = ir.FunctionType(DOUBLE, [DOUBLE] * (1 + len(more)))
-            function = ir.Function(self.module, kind, name=name)
-            function.attributes.add("nounwind")
-            function.attributes.add("readnone")
+        function = libm_function(self.module, name, 1 + len(more))
         found = self.vectors.of(0.0)
         for i in range(self.vectors.lanes):
             lane = ir.Constant(ir.IntType(32), i)
@@ -128,14 +124,8 @@ class Blocks:
     def __init__(self, formulas: Sequence[Node], order: int, variable: str = "t") -> None:
         self.formulas, self.order, self.variable, self.lanes = tuple(formulas), order, variable, lanes()
         printer = _Printer(program(formulas, order, variable), self.lanes)
-        with LOCK:
-            machine = target_machine()
-            module = llvm.parse_assembly(str(printer.module))
-            module.verify()
-            bind_libm(module)
-            self._engine = llvm.create_mcjit_compiler(module, machine)
-            self._engine.finalize_object()
-            address = self._engine.get_function_address("blocks")
+        self._engine = engine_of(printer.module)
+        address = self._engine.get_function_address("blocks")
         kinds = (ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)
         self._call = ctypes.CFUNCTYPE(ctypes.c_int64, *kinds)(address)
 
@@ -151,10 +141,14 @@ class Blocks:
         undefined = self._call(whole, padded.ctypes.data, out.ctypes.data)
         out = out[..., :count]
         if undefined:
-            jet = compile_jet(self.formulas, self.order, self.variable)
             for i in np.flatnonzero(np.isnan(out).any(axis=(0, 1))):
-                out[..., i] = jet(float(times[i]))
+                out[..., i] = self._jet(float(times[i]))
         return out
+
+    @cached_property
+    def _jet(self) -> CompiledJet:
+        """What calls libm, made when it is first needed."""
+        return compile_jet(self.formulas, self.order, self.variable)
 
 
 def compile_blocks(formulas: Sequence[Node], order: int, variable: str = "t") -> Blocks:

@@ -22,6 +22,7 @@ import numpy as np
 from llvmlite import ir
 
 from osculant.cas.formulas.expression import Node
+from osculant.cas.formulas.rationals import as_double
 from osculant.cas.numbers.taylor import Program, program
 
 _DOUBLE = ir.DoubleType()
@@ -31,8 +32,7 @@ _OVERFLOWING = {"exp", "sinh", "cosh", "power", "div"}
 _BITS = 128
 #: what is asked: ``void(double t, double *out)``
 _CALLBACK = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.POINTER(ctypes.c_double))
-#: whoever compiles holds it
-LOCK = threading.Lock()
+_LOCK = threading.Lock()
 
 
 @cache
@@ -43,7 +43,7 @@ def target() -> tuple[Any, str, str]:
     return llvm.Target.from_default_triple(), llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
 
 
-def target_machine() -> Any:
+def _target_machine() -> Any:
     """A new target machine: the engine that is given one owns it and frees it.
 
     A program is a straight line in which nothing is written twice: LLVM's passes leave its code as fast as it
@@ -53,12 +53,14 @@ def target_machine() -> Any:
     return host.create_target_machine(cpu=processor, features=features, opt=1)
 
 
-def as_double(value: Fraction) -> float:
-    """The nearest double, infinite beyond all."""
-    try:
-        return float(value)
-    except OverflowError:
-        return math.inf if value > 0 else -math.inf
+def libm_function(module: ir.Module, name: str, arguments: int) -> ir.Function:
+    """A function of libm's in a module, declared there once."""
+    function = module.globals.get(name)
+    if function is None:
+        function = ir.Function(module, ir.FunctionType(_DOUBLE, [_DOUBLE] * arguments), name=name)
+        function.attributes.add("nounwind")
+        function.attributes.add("readnone")
+    return function
 
 
 class _Printer:
@@ -117,12 +119,7 @@ class _Printer:
         """A call of libm; square roots are an instruction of the machine."""
         if name == "sqrt":
             return self.builder.call(self.module.declare_intrinsic("llvm.sqrt", [_DOUBLE]), args)
-        function = self.module.globals.get(name)
-        if function is None:
-            function = ir.Function(self.module, ir.FunctionType(_DOUBLE, [_DOUBLE] * len(args)), name=name)
-            function.attributes.add("nounwind")
-            function.attributes.add("readnone")
-        return self.builder.call(function, args)
+        return self.builder.call(libm_function(self.module, name, len(args)), args)
 
     def sign(self, x: Any) -> Any:
         """±1, and NaN at 0, where the absolute value has no derivative."""
@@ -133,13 +130,25 @@ class _Printer:
         return self.builder.select(positive, one, self.builder.select(negative, minus, nan))
 
 
-def bind_libm(module: Any) -> None:
+def _bind_libm(module: Any) -> None:
     """Tell LLVM where the functions of libm are that a module names, however the process was linked."""
     names = [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
     libm = ctypes.CDLL(None)
     library = libm if hasattr(libm, "cbrt") else ctypes.CDLL("libm.so.6")
     for name in names:
         llvm.add_symbol(name, ctypes.cast(getattr(library, name), ctypes.c_void_p).value)
+
+
+def engine_of(printed: ir.Module) -> Any:
+    """What owns the machine code of a module, and knows the addresses of its functions."""
+    with _LOCK:
+        machine = _target_machine()
+        module = llvm.parse_assembly(str(printed))
+        module.verify()
+        _bind_libm(module)
+        engine = llvm.create_mcjit_compiler(module, machine)
+        engine.finalize_object()
+        return engine
 
 
 def _in_balls(compiled: Program) -> Any:
@@ -176,14 +185,8 @@ class CompiledJet:
         self.order = order
         self.formulas = len(formulas)
         self.size = self.formulas * (order + 1)
-        with LOCK:
-            machine = target_machine()
-            module = llvm.parse_assembly(str(printer.module))
-            module.verify()
-            bind_libm(module)
-            self._engine = llvm.create_mcjit_compiler(module, machine)
-            self._engine.finalize_object()
-            self.address: int = self._engine.get_function_address("jet")
+        self._engine = engine_of(printer.module)
+        self.address: int = self._engine.get_function_address("jet")
         self._call = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_void_p)(self.address)
 
     def __call__(self, t: float) -> np.ndarray[Any, np.dtype[np.float64]]:

@@ -31,6 +31,18 @@ def _too_large() -> FormulaError:
     return FormulaError(f"A number of this formula needs more than {BITS} bits; use smaller numbers.")
 
 
+def as_double(q: Fraction) -> float:
+    """The nearest double, infinite beyond all.
+
+    >>> as_double(Fraction(1, 4)), as_double(-Fraction(10) ** 400)
+    (0.25, -inf)
+    """
+    try:
+        return float(q)
+    except OverflowError:
+        return math.inf if q > 0 else -math.inf
+
+
 def shown(q: Fraction) -> str:
     """A number as messages write it: in words if it is long.
 

@@ -109,7 +109,7 @@ def _shortest(field: Field, polynomial: Any) -> tuple[sympy.Expr, sympy.Expr]:
 def _factors(field: Field, polynomial: Any) -> tuple[Any, Factors]:
     """Content and primitive factors, each with its exponent and with the sign in which it reads best."""
     if len(polynomial) > FACTOR_TERMS or polynomial.total_degree() > FACTOR_DEGREE:
-        content, factors = fmpq(1), _powers_split_off(polynomial)
+        content, factors = _powers_split_off(polynomial)
     else:
         content, factors = polynomial.factor()
     result = []
@@ -120,15 +120,15 @@ def _factors(field: Field, polynomial: Any) -> tuple[Any, Factors]:
     return content, result
 
 
-def _powers_split_off(polynomial: Any) -> Factors:
-    """The generators that divide every term, with their exponents, and what is left: the quick factors."""
-    if not polynomial:
-        return [(polynomial, 1)]
+def _powers_split_off(polynomial: Any) -> tuple[Any, Factors]:
+    """Content and factors as `factor` gives them, but only what divides every term is told from the rest."""
     powers = [min(map(int, column)) for column in zip(*polynomial.monoms())]
     found = [(generator, k) for generator, k in zip(polynomial.context().gens(), powers) if k]
     for generator, k in found:
         polynomial = polynomial / generator**k
-    return [*found, *([] if polynomial.is_constant() and polynomial == 1 else [(polynomial, 1)])]
+    if polynomial.is_constant():
+        return polynomial.leading_coefficient(), found
+    return fmpq(1), [*found, (polynomial, 1)]
 
 
 def _unit(polynomial: Any) -> Any:

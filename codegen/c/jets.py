@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from osculant.cas.formulas.expression import Node
+from osculant.cas.formulas.rationals import as_double
 from osculant.cas.numbers.recurrences import Instruction
 from osculant.cas.numbers.taylor import program
 
@@ -72,7 +73,7 @@ def _operation(step: Instruction, args: list[str]) -> str:
         return f"-({args[0]})" if args[0].startswith("-") else f"-{args[0]}"
     if step.op == "power":
         assert isinstance(step.value, Fraction)
-        return f"pow({args[0]}, {_literal(_as_double(step.value))})"
+        return f"pow({args[0]}, {_literal(as_double(step.value))})"
     if step.value == "sign":
         return f"{args[0]} > 0.0 ? 1.0 : ({args[0]} < 0.0 ? -1.0 : NAN)"
     return f"{'fabs' if step.value == 'abs' else step.value}({args[0]})"
@@ -85,12 +86,12 @@ def _constant(step: Instruction, args: Sequence[float | None]) -> float | None:
     values: list[Any] = list(args)
     if step.op == "number":
         assert isinstance(step.value, Fraction)
-        return _as_double(step.value)
+        return as_double(step.value)
     if step.op == "constant":
         return math.pi if step.value == "pi" else math.e
     try:
         if step.op == "power":
-            return math.pow(values[0], _as_double(Fraction(step.value)))
+            return math.pow(values[0], as_double(Fraction(step.value)))
         if step.op == "call":
             if step.value == "sign":
                 return math.copysign(1.0, values[0]) if values[0] else math.nan
@@ -99,13 +100,6 @@ def _constant(step: Instruction, args: Sequence[float | None]) -> float | None:
         return a / b if step.op == "div" else {"add": a + b, "sub": a - b, "mul": a * b, "neg": -a}[step.op]
     except (ValueError, ZeroDivisionError, OverflowError):
         return None  # left to the compiler and libm
-
-
-def _as_double(value: Fraction) -> float:
-    try:
-        return float(value)
-    except OverflowError:
-        return math.inf if value > 0 else -math.inf
 
 
 def _literal(value: float) -> str:

@@ -70,6 +70,13 @@ def reach(ends: Ends) -> float:
 
 
 @kernel
+def blossom(first: float, middle: float, last: float, u: float, v: float) -> float:
+    """The polar form of a quadratic by its Bernstein coefficients: on [u, v] three of these are its own."""
+    one, other = (1.0 - u) * first + u * middle, (1.0 - u) * middle + u * last
+    return (1.0 - v) * one + v * other
+
+
+@kernel
 def goes_along(ends: Ends, a0: float, a3: float, low: float, high: float, tx: float, ty: float) -> bool:
     """Whether B′ has a positive component along a direction at all parameters between two.
 
@@ -77,12 +84,10 @@ def goes_along(ends: Ends, a0: float, a3: float, low: float, high: float, tx: fl
     """
     first, last = a0 * (ends.tx0 * tx + ends.ty0 * ty), a3 * (ends.tx3 * tx + ends.ty3 * ty)
     middle = ends.dx * tx + ends.dy * ty - first - last
-    left = (1.0 - low) * first + low * middle, (1.0 - low) * middle + low * last
-    right = (1.0 - high) * first + high * middle, (1.0 - high) * middle + high * last
     return (
-        (1.0 - low) * left[0] + low * left[1] > 0.0
-        and (1.0 - high) * left[0] + high * left[1] > 0.0
-        and (1.0 - high) * right[0] + high * right[1] > 0.0
+        blossom(first, middle, last, low, low) > 0.0
+        and blossom(first, middle, last, low, high) > 0.0
+        and blossom(first, middle, last, high, high) > 0.0
     )
 
 
@@ -94,22 +99,15 @@ def bends_little(ends: Ends, a0: float, a3: float, low: float, high: float, cosi
     """
     x0, y0, x2, y2 = a0 * ends.tx0, a0 * ends.ty0, a3 * ends.tx3, a3 * ends.ty3
     x1, y1 = ends.dx - x0 - x2, ends.dy - y0 - y2
-    lx0, ly0, lx1, ly1 = mixed(x0, x1, low), mixed(y0, y1, low), mixed(x1, x2, low), mixed(y1, y2, low)
-    hx0, hy0, hx1, hy1 = mixed(x0, x1, high), mixed(y0, y1, high), mixed(x1, x2, high), mixed(y1, y2, high)
-    px, py, qx, qy = mixed(lx0, lx1, low), mixed(ly0, ly1, low), mixed(lx0, lx1, high), mixed(ly0, ly1, high)
-    rx, ry = mixed(hx0, hx1, high), mixed(hy0, hy1, high)
+    px, py = blossom(x0, x1, x2, low, low), blossom(y0, y1, y2, low, low)
+    qx, qy = blossom(x0, x1, x2, low, high), blossom(y0, y1, y2, low, high)
+    rx, ry = blossom(x0, x1, x2, high, high), blossom(y0, y1, y2, high, high)
     p, q, r = math.sqrt(px * px + py * py), math.sqrt(qx * qx + qy * qy), math.sqrt(rx * rx + ry * ry)
     return (
         px * qx + py * qy >= cosine * p * q
         and qx * rx + qy * ry >= cosine * q * r
         and px * rx + py * ry >= cosine * p * r
     )
-
-
-@kernel
-def mixed(first: float, last: float, u: float) -> float:
-    """The number between two in the ratio u."""
-    return (1.0 - u) * first + u * last
 
 
 @kernel

@@ -312,10 +312,8 @@ def width(curve: FormulaCurve, most: float = math.inf) -> float:
         first = split([[part] for part in start])[1:]
         for part in PROBES:
             rows = curve.balls.coefficients(low + (high - low) * part, 0)
-            if (
-                sum(((at - origin) ** 2 for [at], [origin] in zip(split(rows)[1:], first)), arb(0))
-                > arb(most) ** 2
-            ):
+            squares = ((at - origin) ** 2 for [at], [origin] in zip(split(rows)[1:], first))
+            if sum(squares, arb(0)) > arb(most) ** 2:
                 return math.inf
         for (_, *across), (slope, *_) in _boxes(curve, low, high, FLAT_BOXES, split):
             back += (-slope).nonnegative_part().upper() * (high - low) / FLAT_BOXES
