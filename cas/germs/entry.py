@@ -10,12 +10,11 @@ from itertools import product
 
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_constant
-from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.even import halved
 from osculant.cas.germs.expansion import as_node
 from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.secants import projected
 
-#: the boundary variable u = λ² of germs that are even in λ
-BOUNDARY = "u"
 #: degree of the polynomials in a list of even germs at most
 DEGREE = 30
 
@@ -167,17 +166,7 @@ class Entry:
         jet = secant.polynomial(DEGREE) if self.projection is not None else None
         if jet is None:
             raise DomainError(f"{self.id} of {self.list} is no secant germ: only table 6.1 has them.")
-        components = []
-        for f in jet:
-            image: dict[int, poly.Number] = {}
-            for m, c in f.items():
-                powers = dict(zip(self.variables, poly.exponents_of(m, secant.n)))
-                along = 1 + powers["x"] + powers["lambda"] - powers["v"]
-                if along < 0:
-                    raise DomainError(f"{secant} is no secant germ: it has v alone to a power above 1.")
-                moved = poly.monomial((along, powers["y"] + powers["v"]))
-                image[moved] = image.get(moved, 0) + c
-            components.append(as_node({m: c for m, c in image.items() if c}, ("x", "y")))
+        components = [as_node(projected(f, secant.n // 2), ("x", "y")) for f in jet]
         return Germ(components, "x y")
 
     def value(self, name: str, **parameters: Value) -> int:
@@ -243,31 +232,6 @@ def instance(text: str, signs: Sequence[int] | None, parameters: Mapping[str, st
         raise DomainError(f"{text!r} takes {len(parts) - 1} signs, each 1 or -1; given: {chosen}.")
     whole = parts[0] + "".join(("+" if s > 0 else "-") + part for s, part in zip(chosen, parts[1:]))
     return _NAME.sub(lambda name: parameters.get(name[0], name[0]), whole)
-
-
-def halved(germ: Germ, even: str) -> Germ:
-    """The germ f with f(…, λ²) = S(…, λ), in the boundary variable u = λ².
-
-    Raises DomainError if S is no polynomial, or not even in λ.
-
-    >>> str(halved(Germ("v, l**2 + v*x", "x l v"), "l"))
-    '(v, u + x*v)'
-    """
-    jet, place = germ.polynomial(DEGREE), germ.source.index(even)
-    if jet is None:
-        raise DomainError(f"{germ} is not a polynomial of degree at most {DEGREE}.")
-    source = tuple(BOUNDARY if name == even else name for name in germ.source)
-    components = []
-    for f in jet:
-        folded = {}
-        for m, c in f.items():
-            exponents = list(poly.exponents_of(m, germ.n))
-            exponents[place], odd = divmod(exponents[place], 2)
-            if odd:
-                raise DomainError(f"{germ} is not even in {even}.")
-            folded[poly.monomial(exponents)] = c
-        components.append(as_node(folded, source))
-    return Germ(components, source, BOUNDARY)
 
 
 def _constant(text: str, parameters: Mapping[str, str]) -> Fraction:

@@ -10,15 +10,15 @@ import sympy as sp
 from osculant.cas.claims.claim import Check, Evidence, Method, claim
 from osculant.cas.claims.proof import integers, read, read_tuple, split, vanishes
 from osculant.cas.errors import DomainError
-from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.entry import Entry
 from osculant.cas.germs.family import Family
 from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.immersions import Immersion
 from osculant.cas.germs.local_algebra import multiplicity
 from osculant.cas.germs.parameters import codimension_of_family, moduli
 from osculant.cas.germs.reference import reference
-from osculant.cas.germs.secants import RING, chord, secant_germ
+from osculant.cas.germs.secants import secant
 from osculant.cas.germs.unfolding import is_stable
 
 #: the projection P₃(c), and the same without its first component: the graph of a surface in R⁴
@@ -65,13 +65,13 @@ def _table_check(n: int) -> Check:
         least = 0
         computed = []
         for entry in _rows(n):
-            secant, projection, stable = _codimensions(entry)
+            size, projection, stable = _codimensions(entry)
             least = least if "further stratum" in entry.note else projection
-            stratum = secant + projection - least
+            stratum = size + projection - least
             rule = stratum == projection - (n - 2) <= DIMENSION
-            computed.append((secant, projection))
+            computed.append((size, projection))
             line = (
-                f"S = ({entry.text}): codimension {secant}, {'' if stable else 'not '}stable; "
+                f"S = ({entry.text}): codimension {size}, {'' if stable else 'not '}stable; "
                 f"π = ({entry.projection}): {projection}; stratum {stratum}"
             )
             evidence &= Evidence(stable and rule, (line,))
@@ -104,46 +104,6 @@ for _n, (_form, _wrong) in PRINTED.items():
 
 
 @claim(
-    "lemma 6.2.1",
-    "The germ of the secant map at the diagonal is even in λ: so it is f(x̄, ȳ, λ², v).",
-    method=Method.EXACT,
-    form="even",
-    wrong=("odd",),
-)
-def evenness(form: str) -> Evidence:
-    """For the monomials x^i y^j, i + j ≤ 9; λ → −λ exchanges p and q, and the divisor changes sign."""
-    if form not in {"even", "odd"}:
-        raise DomainError(f"{form!r} is no parity: even or odd.")
-    lam = RING.gens[2]
-    for i in range(10):
-        for j in range(10 - i):
-            h = chord({poly.monomial((i, j)): 1})
-            if h.compose(lam, -lam) != (h if form == "even" else -h):
-                return Evidence(False, (f"for x^{i}y^{j} it is {h}",))
-    return Evidence(True, ("(g(p̄/2 + λω/2) − g(p̄/2 − λω/2))/λ for the 55 monomials g of degree at most 9",))
-
-
-@claim(
-    "remark 6.2.3",
-    "The projection along the x-axis is π = factor·S with x̄ = x, ȳ = y, λ = x, v = y/x, for factor = x.",
-    method=Method.PROOF,
-    form="x",
-    wrong=("2*x", "x**2", "y"),
-)
-def projection_from_secants(form: str) -> Evidence:
-    """For g = Σ c_ij x^i y^j of degree at most 5: then q = (x, y) and p = 0, and g(q) − g(p) = g."""
-    x, y = sp.symbols("x y")
-    factor = read(form, {"x": x, "y": y})
-    difference: Any = 0
-    for i in range(6):
-        for j in range(6 - i):
-            if i + j > 1:
-                h = chord({poly.monomial((i, j)): 1}).as_expr(x, y, x, y / x)
-                difference += sp.Symbol(f"c_{i}_{j}") * (factor * h - x**i * y**j)
-    return vanishes(difference, "factor·S against g")
-
-
-@claim(
     "theorem 6.3.1-n5",
     "For n = 5 projections of these multiplicities occur on strata of codimension at most 3.",
     method=Method.EXACT,
@@ -164,13 +124,13 @@ def missing_projection(form: str) -> Evidence:
     found = {multiplicity(entry.projected(*_first(entry))) for entry in _rows(5)}
     lines = [f"the rows printed have multiplicities {sorted(found)}"]
     entry = reference("table 6.1")["5-7"]
-    secant, projection, stable = _codimensions(entry)
-    own = secant_germ("x*y, x**3, x**2*y + x**4")
+    size, projection, stable = _codimensions(entry)
+    own = secant(Immersion.of("x, y, x*y, x**3, x**2*y + x**4", "x y")).germ
     own_codimension = codimension(own, "A(H)").value
     normal, several = entry.germ(), multiplicity(entry.projected())
-    occurs = stable and is_stable(own, "A(H)") and own_codimension == secant == projection - 3 <= DIMENSION
+    occurs = stable and is_stable(own, "A(H)") and own_codimension == size == projection - 3 <= DIMENSION
     lines.append(
-        f"S = {normal} and the secant germ {own}: codimensions {secant} and {own_codimension}, stable; "
+        f"S = {normal} and the secant germ {own}: codimensions {size} and {own_codimension}, stable; "
         f"π = ({entry.projection}): A-codimension {projection}, multiplicity {several}"
     )
     if occurs:
@@ -204,12 +164,12 @@ def missing_stratum(form: str) -> Evidence:
     family = Family(P3, "x y", "c")
     whole = moduli(family, "A")
     member = reference("table 6.1")["4-P_3"]
-    secant, projection, stable = _codimensions(member)
+    size, projection, stable = _codimensions(member)
     several = multiplicity(family.at(c=2))
     lines = (
         f"H_k: codimensions {printed}",
         f"P₃(c): A-codimension {whole.codimension}, {whole.number} modulus, multiplicity {several}; secant "
-        f"germ at c = {', '.join(str(v) for v in member.parameters[0].tried)}: codimension {secant}, stable",
+        f"germ at c = {', '.join(str(v) for v in member.parameters[0].tried)}: codimension {size}, stable",
     )
     if stable and several == 3 and whole.codimension == projection:
         printed.append(whole.stratum)
@@ -267,7 +227,8 @@ def genotype(form: str) -> Evidence:
     claimed = read(form, {"x": x, "u": u, "c": c})
     evidence = Evidence(True)
     for value in (2, -1, 5):
-        germ = secant_germ(GRAPH.replace("c", f"({value})"))
+        surface = f"x, y, {GRAPH}".replace("c", f"({value})")
+        germ = secant(Immersion.of(surface, "x y")).germ
         third, fourth = (read(text, {**names, "v": sp.Integer(0)}) for text in germ.text(6)[1:])
         (solution,) = sp.solve(third, y)
         evidence &= vanishes(

@@ -1,4 +1,4 @@
-"""Weights against Milnor numbers, families where a scaling moves the parameter, secant germs."""
+"""Weights against Milnor numbers, families where a scaling moves the parameter."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import group
 from osculant.cas.germs.local_algebra import milnor_number
 from osculant.cas.germs.parameters import codimension_of_family
-from osculant.cas.germs.secants import chord, secant_germ
 from osculant.cas.germs.weights import graded_by, weights
 from tests.cas.germs.oracles import milnor_orlik
 
@@ -109,34 +108,3 @@ def test_a_parameter_that_scalings_move_can_jump_only_at_zero(text: str, name: s
     assert weights(family.at(a=1)) is None
     whole = codimension_of_family(family, name, curves=False)
     assert {e.value for e in whole.exceptional} <= {Fraction(0)}
-
-
-rationals = st.fractions(-3, 3, max_denominator=4)
-
-
-@given(st.tuples(rationals, rationals, rationals.filter(bool), rationals))
-@settings(max_examples=30, deadline=None)
-def test_secant_germs_at_rational_points(point: tuple) -> None:
-    x, y, k, v = point
-
-    def g(a: Fraction, b: Fraction) -> Fraction:
-        return a * b + a**3 - 2 * a**2 * b**3
-
-    expected = (g((x + k) / 2, (y + k * v) / 2) - g((x - k) / 2, (y - k * v) / 2)) / k
-    germ = secant_germ("x*y + x**3 - 2*x**2*y**3")
-    jet = germ.polynomial(10)
-    assert jet is not None
-    value = sum(
-        c * x**i * y**j * (k * k) ** e * v**m
-        for (i, j, e, m), c in ((poly.exponents_of(m, 4), c) for m, c in jet[1].items())
-    )
-    assert value == expected
-    assert jet[0] == {poly.variable(3, 4): 1}
-    assert germ.boundary == "u"
-
-
-def test_secant_germs_want_monge_form() -> None:
-    assert chord({}) == 0
-    for text in ("x + y**2", "sin(x*y)"):
-        with pytest.raises(DomainError):
-            secant_germ(text)
