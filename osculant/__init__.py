@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from osculant.germs.map_germ import MapGerm, germ
     from osculant.germs.map_jets import JetOfMap, map_jet
     from osculant.germs.multi import MultiMapGerm, multigerm
+    from osculant.germs.secants import Secant, SecantApart, secant, secant_apart
     from osculant.pieces.conics import Piece
     from osculant.spline import Spline
     from osculant.thesis.verification import Verification, verify
@@ -48,6 +49,8 @@ __all__ = [
     "Piece",
     "PlaneCurve",
     "RejectedError",
+    "Secant",
+    "SecantApart",
     "SpaceCurve",
     "Spline",
     "ToleranceError",
@@ -64,6 +67,8 @@ __all__ = [
     "map_jet",
     "multigerm",
     "preserving",
+    "secant",
+    "secant_apart",
     "verify",
 ]
 
@@ -91,6 +96,10 @@ _HOME = {
     "multigerm": "osculant.germs.multi",
     "map_jet": "osculant.germs.map_jets",
     "JetOfMap": "osculant.germs.map_jets",
+    "secant": "osculant.germs.secants",
+    "Secant": "osculant.germs.secants",
+    "secant_apart": "osculant.germs.secants",
+    "SecantApart": "osculant.germs.secants",
     "Verification": "osculant.thesis.verification",
     "OsculantError": "osculant.cas.errors",
     "FormulaError": "osculant.cas.errors",

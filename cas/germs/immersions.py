@@ -33,6 +33,7 @@ class Immersion:
         direction: the coordinates of w, such constants, not all 0.
 
     Attributes:
+        components, source, point, direction: as given.
         names: the variables p: those of the source, or p1, …, pn if one of these is called u.
         source_frame: B by its rows, constants; w is its first column, the others are axes.
         target_frame: C by its rows.
@@ -55,7 +56,8 @@ class Immersion:
         point: Sequence[Node],
         direction: Sequence[Node],
     ) -> None:
-        given = tuple(source)
+        self.source = given = tuple(source)
+        self.components, self.point, self.direction = tuple(components), tuple(point), tuple(direction)
         Germ([variable(name) for name in given], given)  # refuses the names
         self.n = n = len(given)
         check_count("at", "coordinate", len(point), n)

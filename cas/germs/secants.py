@@ -25,7 +25,7 @@ from osculant.cas.germs.search import Patience
 #: terms of the chords of a polynomial immersion that is taken as a whole, not up to an order
 WHOLE = 400
 #: orders of jets of f that are tried one after the other where none is given
-ORDERS = (3, 5, 8)
+ORDERS = (2, 3, 5, 8)
 
 
 def chord(g: Polynomial, n: int) -> Polynomial:

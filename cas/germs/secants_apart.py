@@ -36,12 +36,16 @@ class SecantApart:
     """The secant germ at two points with different images.
 
     Attributes:
+        immersion: the components of X.
+        points: the coordinates of the points, constants.
         parameters: the names of the coordinates p of the first point.
         source: those of the coordinates q of the second.
         germ: (p, q) ↦ the direction of X(q) − X(p), in an affine chart; p and q are 0 at the points.
         back: the same germ where p and q have changed their roles: the other branch of the bigerm.
     """
 
+    immersion: tuple[Node, ...]
+    points: tuple[tuple[Node, ...], tuple[Node, ...]]
     parameters: tuple[str, ...]
     source: tuple[str, ...]
     germ: Germ
@@ -124,7 +128,7 @@ def secant_apart(
     germ = _direction(ends, values, (*p, *q), field)
     exchanged = {old: variable(new) for old, new in zip((*p, *q), (*q, *p))}
     back = Germ(substitute(germ.components, exchanged), germ.source, None, germ.field)
-    return SecantApart(p, q, germ, back)
+    return SecantApart(tuple(components), (tuple(at), tuple(to)), p, q, germ, back)
 
 
 def _direction(

@@ -113,6 +113,15 @@ WithInvariants = Annotated[
         "--invariants", help="Print δ, cusps, cross-caps, triple points, Milnor numbers and the like."
     ),
 ]
+Even = Annotated[
+    str | None,
+    typer.Option(
+        "--even",
+        metavar="NAME",
+        help="A variable in which the germ is even: its square is the boundary variable u, and A, R, K are "
+        "those of even germs.",
+    ),
+]
 Latex = Annotated[bool, typer.Option("--latex", help="Print LaTeX.")]
 
 #: columns of the names in front of the answers
@@ -134,6 +143,7 @@ def germ(
     boundary: Boundary = None,
     at: At = None,
     root: Root = None,
+    even: Even = None,
     transversal: Transversal = None,
     order: Order = None,
     versal: Versal = None,
@@ -172,6 +182,7 @@ def germ(
         "--preserving": preserving,
         "--at": at,
         "--root": root,
+        "--even": even,
         "--transversal": transversal,
         "--versal": versal,
         "--certificate": certificate,
@@ -188,10 +199,12 @@ def germ(
             data = germ_kinds.of_multigerm(formulas, source, seconds, special)
         _print(data, germ_kinds.multigerm_rows(data), as_json)
         return
-    given = map_germ.germ(formulas, source, boundary, at=at, root=root, patience=seconds)
+    given = map_germ.germ(formulas, source, boundary, at=at, root=root, even=even, patience=seconds)
     acting: Any = group
     if preserving is not None:
-        germ_kinds.refuse({"--certificate": certificate}, "The group of a hypersurface (--preserving)")
+        germ_kinds.refuse(
+            {"--certificate": certificate, "--even": even}, "The group of a hypersurface (--preserving)"
+        )
         from osculant.germs.hypersurface import preserving as of_hypersurface
 
         kind = group or ("R" if given.target == 1 else "K")
@@ -229,6 +242,8 @@ def _print(data: dict[str, Any], table: Iterable[tuple[str, str]], as_json: bool
 
 
 def _described(given: MapGerm, group: Any) -> dict[str, Any]:
+    from osculant.germs.even import even_data
+
     described = {
         "source": list(given.source),
         "target": given.target,
@@ -236,6 +251,8 @@ def _described(given: MapGerm, group: Any) -> dict[str, Any]:
         "boundary": given.boundary,
         "group": given.group(group).name,
     }
+    if given.even is not None:
+        described["even"] = even_data(given, given.group(group))
     return described if given.at is None else {**described, "at": list(given.at)}
 
 

@@ -13,12 +13,19 @@ def head(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
     yield "germ", ", ".join(data["components"])
     boundary = "" if data["boundary"] is None else f", boundary {data['boundary']} = 0"
     yield "source", " ".join(data["source"]) + boundary
+    if "even" in data:
+        even = data["even"]
+        name = even["variable"]
+        yield "as an even germ", f"{', '.join(even['components'])}, with {data['boundary']} = {name}**2"
     if "at" in data:
         yield "moved from", ", ".join(data["at"])
     if "field" in data:
         name, degree = data["field"]["name"], len(data["field"]["polynomial"]) - 1
         yield "number field", f"of degree {degree}" + ("" if name is None else f", by a root {name}")
-    yield "group", data["group"]
+    told = (
+        f", as {data['even']['group']} of germs even in {data['even']['variable']}" if "even" in data else ""
+    )
+    yield "group", data["group"] + told
 
 
 def listed(name: str, terms: Sequence[str]) -> Iterator[tuple[str, str]]:
@@ -92,6 +99,8 @@ def unfolding_rows(data: dict[str, Any], undecided: str | None) -> Iterator[tupl
             whole = data["unfolding_germ"]
             yield "  as a germ", ", ".join(whole["components"])
             yield "  its source", " ".join(whole["source"])
+            if "even" in data:
+                yield "  even", ", ".join(data["even"]["unfolding"])
 
 
 def certificate_rows(certificate: dict[str, Any]) -> Iterator[tuple[str, str]]:

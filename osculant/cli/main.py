@@ -26,6 +26,7 @@ from osculant.cli.grammar import Commands, FormulaCommand
 from osculant.cli.invariants import invariants
 from osculant.cli.options import NAMES
 from osculant.cli.output import lenient, printable, tell
+from osculant.cli.secant import secant
 from osculant.cli.tables import tables
 from osculant.cli.verify import verify
 from osculant.version import __version__
@@ -66,6 +67,7 @@ for command in (approximate, invariants, complexity, tables, verify, check, cach
     app.command(cls=FormulaCommand)(command)
 app.command("compile", cls=FormulaCommand)(compile_curve)
 app.command(cls=GermCommand)(germ)
+app.command(cls=GermCommand)(secant)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

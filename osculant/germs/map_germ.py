@@ -15,7 +15,7 @@ from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group
 from osculant.cas.germs.groups import group as group_of
-from osculant.germs.reading import components_of, names_of, point_of, stated_field
+from osculant.germs.reading import names_of, read_germ
 
 if TYPE_CHECKING:
     from osculant.cas.germs.codimension import Codimension
@@ -40,6 +40,7 @@ def germ(
     at: Any = None,
     patience: float = 10.0,
     root: str | None = None,
+    even: Any = None,
 ) -> MapGerm:
     """A map-germ (Kⁿ,0) → (Kᵖ,0) from the formulas of its components.
 
@@ -59,12 +60,14 @@ def germ(
         root: an irreducible polynomial in one variable, such as ``"a**2 - a - 1"``: its name stands for a
             root of it in the formulas, any one: the answers are the same for all. Without, roots of numbers
             such as sqrt(2) and 3**(1/3) may stand in formulas. The number field has degree 12 at most.
+        even: a variable λ in which the germ S is even: it is read as f with S(…, λ) = f(…, λ²), and the
+            boundary variable u = λ². Then the group A is A(H), that of even germs, and so for R and K.
 
     Raises FormulaError for what is no formula, uses other variables or has no component, and for a file that
     cannot be read; DomainError for a germ that does not vanish at 0, is not analytic there or has
     coefficients that are not algebraic, for a root that is not as above, for a boundary that is no source
-    variable, for a point that is not exact, has another dimension or is off the boundary, and for a patience
-    that is not positive.
+    variable, for a point that is not exact, has another dimension or is off the boundary, for a germ called
+    even that is not, and for a patience that is not positive.
 
     >>> germ("x1, x2, x3**2 + x1*u + x2*u**2 + u**3", "x1 x2 x3 u").codimension("A(H)")
     3
@@ -77,19 +80,12 @@ def germ(
     2
     >>> germ("x**3 + a*x**2*y**2 + y**6", "x y", root="4*a**3 + 27").codimension("R")
     'infinite'
+    >>> germ("x, x*lam^2 + lam^4", "x lam", even="lam")
+    <MapGerm x, x*u + u**2 in x u>
     """
     if not patience > 0:
         raise DomainError(f"patience: {patience} is no positive number of seconds.", argument="patience")
-    names = names_of(source)
-    field = None if root is None else stated_field(root, names)
-    components = components_of(formulas, names, field)
-    u = None if boundary is None else str(boundary)
-    if at is None:
-        return MapGerm(Germ(components, names, u, field), patience)
-    from osculant.cas.germs.moved import moved
-
-    point = point_of(at)
-    return MapGerm(moved(components, names, point, u, field), patience, tuple(map(str, point)))
+    return MapGerm(*read_germ(formulas, source, boundary, at, root, even), patience=patience)
 
 
 @dataclass(frozen=True)
@@ -115,6 +111,7 @@ class MapGerm:
         components: the formulas of the components.
         rank: the rank of df at 0.
         at: the coordinates of the point that was moved to the origin, as text, or None.
+        even: the germ S(…, λ) = f(…, λ²), as ``exact`` is, from which this one was read, or None.
         seconds: of processor time for one question; then UndecidedError is raised.
         clock: the time for several questions together, if there is one.
 
@@ -123,8 +120,15 @@ class MapGerm:
     (('x', 'y'), 2, 1, ('x', 'x*y + y**3'))
     """
 
-    def __init__(self, exact: Germ, patience: float = 10.0, at: tuple[str, ...] | None = None) -> None:
-        self.exact, self.at = exact, at
+    def __init__(
+        self,
+        exact: Germ,
+        at: tuple[str, ...] | None = None,
+        even: Germ | None = None,
+        *,
+        patience: float = 10.0,
+    ) -> None:
+        self.exact, self.at, self.even = exact, at, even
         self.source, self.target, self.boundary = exact.source, exact.p, exact.boundary
         self.components = tuple(to_text(node) for node in exact.components)
         self.rank = exact.rank
@@ -146,6 +150,8 @@ class MapGerm:
         """
         if name is None:
             name = ("R" if self.target == 1 else "A") + ("" if self.boundary is None else "(H)")
+        elif self.even is not None and name in {"R", "K", "A"}:
+            name = f"{name}(H)"  # what acts on even germs
         return group_of(name)
 
     def codimension(self, group: GroupName = None, *, extended: bool = False) -> Size:
@@ -200,7 +206,7 @@ class MapGerm:
         from osculant.cas.germs.versal import Family, versality
 
         family = Family(self.exact, names_of(parameters))
-        f = MapGerm(family.germ, self.seconds)
+        f = MapGerm(family.germ, patience=self.seconds)
         return f, versality(family, f.group(group), self.patience)
 
     def stable_unfolding(self, group: GroupName = None, parameter: str = "t") -> GermUnfolding:
@@ -354,7 +360,7 @@ class MapGerm:
         return f"({', '.join(text if j == component else '0' for j in range(self.target))})"
 
     def _unfolded(self, found: Unfolding) -> GermUnfolding:
-        return GermUnfolding(tuple(map(self.term, found.terms)), MapGerm(found.germ, self.seconds))
+        return GermUnfolding(tuple(map(self.term, found.terms)), MapGerm(found.germ, patience=self.seconds))
 
     def __repr__(self) -> str:
         return f"<MapGerm {', '.join(self.components)} in {' '.join(self.source)}>"

@@ -5,16 +5,60 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from osculant.cas.errors import DomainError, FormulaError
-from osculant.cas.formulas.expression import ZERO, Node, variable
+from osculant.cas.formulas.expression import ZERO, Node, number, variable
 from osculant.cas.formulas.graph import variables
 from osculant.cas.formulas.parser import FILE, parse, parse_constant, parse_tuple
 from osculant.cas.germs import polynomials as poly
 
 if TYPE_CHECKING:
     from osculant.cas.germs.algebraic import NumberField
+    from osculant.cas.germs.germ import Germ
+
+
+class ReadGerm(NamedTuple):
+    """A germ f that was read; the point moved to the origin; S, if f is read from S(…, λ) = f(…, λ²)."""
+
+    germ: Germ
+    at: tuple[str, ...] | None = None
+    even: Germ | None = None
+
+
+def read_germ(formulas: Any, source: Any, boundary: Any, at: Any, root: str | None, even: Any) -> ReadGerm:
+    """The germ that `osculant.germs.map_germ.germ` is asked for, with its arguments and errors.
+
+    >>> found = read_germ("x, x*lam^2 + lam^4", "x lam", None, None, None, "lam")
+    >>> print(found.germ, found.germ.boundary, found.even)
+    (x, x*u + u**2) u (x, x*lam**2 + lam**4)
+    """
+    from osculant.cas.germs.even import halved
+    from osculant.cas.germs.germ import Germ
+    from osculant.cas.germs.moved import moved
+
+    names = names_of(source)
+    field = None if root is None else stated_field(root, names)
+    components = components_of(formulas, names, field)
+    u = None if boundary is None else str(boundary)
+    if even is not None and u is not None:
+        raise DomainError(
+            f"even: a germ even in {even} gets its own boundary, where {even}**2 is 0: name no other.",
+            argument="even",
+        )
+    point = None if at is None else point_of(at)
+    if point is None:
+        found = Germ(components, names, u, field)
+    else:
+        found = moved(components, names, point, u, field)
+    told = None if point is None else tuple(map(str, point))
+    if even is None:
+        return ReadGerm(found, told)
+    if point is not None and str(even) in names and point[names.index(str(even))]:
+        raise DomainError(
+            f"at: a germ even in {even} is one at {even} = 0: give 0 for {even}.", argument="at"
+        )
+    return ReadGerm(halved(found, str(even)), told, found)
 
 
 def names_of(source: Any) -> tuple[str, ...]:
@@ -112,6 +156,36 @@ def point_of(at: Any) -> tuple[Fraction, ...]:
     """
     parts = list(parse_tuple(at, ())) if isinstance(at, str) else _parts(at)
     return tuple(_rational(parse_constant(part) if isinstance(part, str) else part) for part in parts)
+
+
+def constants_of(given: Any, argument: str) -> tuple[Node, ...]:
+    """Exact constants, from text such as ``"sqrt(2), -1/2"`` or from numbers, texts and expressions of sympy.
+
+    Raises FormulaError for text that is no formula, DomainError, naming the argument, for floats and for what
+    is no constant.
+
+    >>> print(*constants_of("sqrt(2), -1/2", "at"), *constants_of([1, "1/3"], "at"), *constants_of(2, "at"))
+    sqrt(2) -1/2 1 1/3 2
+    """
+    parts = list(parse_tuple(given, ())) if isinstance(given, str) else _parts(given)
+    return tuple(_constant(part, argument) for part in parts)
+
+
+def _constant(part: Any, argument: str) -> Node:
+    from osculant.cas.formulas.sympy_bridge import from_sympy
+
+    if isinstance(part, str):
+        part = parse_constant(part)
+    if type(part) is int or isinstance(part, Fraction):
+        part = number(part)
+    if isinstance(part, (float, bool)) or getattr(part, "is_Float", False):
+        raise DomainError(
+            f"{argument}: the coordinate {part} is no exact number: give one such as 1/2.", argument=argument
+        )
+    node = part if isinstance(part, Node) else from_sympy(part)
+    if variables([node]):
+        raise DomainError(f"{argument}: the coordinate {part} is no number.", argument=argument)
+    return node
 
 
 def _rational(coordinate: Any) -> Fraction:

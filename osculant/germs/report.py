@@ -10,7 +10,8 @@ terms of a miniversal one, and ``unfolding_germ``: it as a germ (t, F(t, x)), wh
 was moved to the origin; ``field``: the number field of coefficients that are not rational, by the
 ``polynomial`` of a number that generates it (coefficients, the constant first), its ``name`` if it was
 stated, else the ends of an ``interval`` around it, and the ``roots`` of numbers in it (``degree``, ``of``
-what, ``value``: coefficients of the powers of that number).
+what, ``value``: coefficients of the powers of that number); ``even``: what it is as an even germ, if it was
+read from one (`osculant.germs.even.even_data`).
 What is undecided or has no meaning for the germ is null, and ``reason`` has a sentence under the same key;
 ``undecided`` lists the keys of the first kind.
 
@@ -31,6 +32,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError, UndecidedError
+from osculant.germs.even import even_data
 
 if TYPE_CHECKING:
     from osculant.cas.germs.codimension import Codimension
@@ -75,7 +77,11 @@ def report(
 
     germ.clock = Patience(germ.seconds)
     try:
-        return told | _Questions(germ, acting).answers(progress or (lambda part: None))
+        questions = _Questions(germ, acting)
+        told |= questions.answers(progress or (lambda part: None))
+        if germ.even is not None:
+            told["even"] = even_data(germ, acting, questions.unfolded)
+        return told
     finally:
         germ.clock = None
 
@@ -176,6 +182,7 @@ class _Questions:
         )
         self.reasons: dict[str, str] = {}
         self.undecided: list[str] = []
+        self.unfolded: MapGerm | None = None
 
     def answers(self, progress: Callable[[float], None]) -> dict[str, Any]:
         data: dict[str, Any] = {}
@@ -226,7 +233,7 @@ class _Questions:
         if not self.found().finite:
             raise _MeaninglessError("A germ of infinite codimension has no versal unfolding.")
         found = self.germ.unfolding(self.group, _letter(self.germ.names))
-        whole = found.germ
+        self.unfolded = whole = found.germ
         return list(found.terms), {
             "components": list(whole.components),
             "source": list(whole.source),

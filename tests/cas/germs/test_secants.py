@@ -34,7 +34,7 @@ def values(germ: Germ, at: dict[str, Fraction]) -> list[sp.Rational]:
 
 
 @given(st.tuples(*[rationals] * 5, rationals.filter(bool)), st.sampled_from([(1, 0), (0, 1), (2, -3)]))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=10, deadline=None)
 def test_secant_germs_are_the_directions_of_secants(point: tuple, direction: tuple) -> None:
     """X(q) − X(p) by the definition, in the linear coordinates that the immersion states."""
     a, b, x, y, v, k = point
@@ -110,9 +110,9 @@ def test_a_wrong_link_is_seen() -> None:
 def test_analytic_immersions_are_expanded_until_the_jet_determines_the_germ() -> None:
     curve = "t, t^2, sin(t)^4*(1 + t)"
     found = secant(Immersion.of(curve, "t"))
-    assert found.settled and found.order == 3
+    assert found.settled and found.order == 2
     assert codimension(found.germ, "A(H)").value == 1
-    by_hand = secant(Immersion.of("t, t^2, t^4 + t^5 - 2/3*t^6 - 2/3*t^7", "t"), order=3)
+    by_hand = secant(Immersion.of("t, t^2, t^4 + t^5 - 2/3*t^6 - 2/3*t^7", "t"), order=2)
     assert str(by_hand.germ) == str(found.germ)
     low = secant(Immersion.of(curve, "t"), order=1)
     assert not low.settled and low.order == 1
@@ -226,7 +226,7 @@ def test_two_points_without_a_secant(text, at, to, said) -> None:
 
 
 @given(st.lists(st.lists(st.integers(-3, 3), min_size=5, max_size=5), min_size=3, max_size=3))
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=4, deadline=None)
 def test_frenet_data_are_those_of_the_jets(coefficients: list) -> None:
     """Against `SpaceJet`; τ″ by arc length from τ′ at the next order, with sympy."""
     t = sp.Symbol("t")
