@@ -85,7 +85,8 @@ def germ(
     """
     if not patience > 0:
         raise DomainError(f"patience: {patience} is no positive number of seconds.", argument="patience")
-    return MapGerm(*read_germ(formulas, source, boundary, at, root, even), patience=patience)
+    found = read_germ(formulas, source, boundary, at, root, even)
+    return MapGerm(found.germ, patience, found.at, found.even)
 
 
 @dataclass(frozen=True)
@@ -123,10 +124,9 @@ class MapGerm:
     def __init__(
         self,
         exact: Germ,
+        patience: float = 10.0,
         at: tuple[str, ...] | None = None,
         even: Germ | None = None,
-        *,
-        patience: float = 10.0,
     ) -> None:
         self.exact, self.at, self.even = exact, at, even
         self.source, self.target, self.boundary = exact.source, exact.p, exact.boundary
@@ -206,7 +206,7 @@ class MapGerm:
         from osculant.cas.germs.versal import Family, versality
 
         family = Family(self.exact, names_of(parameters))
-        f = MapGerm(family.germ, patience=self.seconds)
+        f = MapGerm(family.germ, self.seconds)
         return f, versality(family, f.group(group), self.patience)
 
     def stable_unfolding(self, group: GroupName = None, parameter: str = "t") -> GermUnfolding:
@@ -287,14 +287,9 @@ class MapGerm:
         >>> germ("x**2, y**2, x*y", "x y").q_algebra.hilbert
         (1, 2)
         """
-        from osculant.cas.germs.local_algebra import q_algebra
+        from osculant.germs.algebras import q_algebra
 
-        if self.target < self.exact.n:
-            return "infinite"  # fewer functions than variables have a curve of common zeros
-        try:
-            return q_algebra(self.exact, self.patience)
-        except DomainError:
-            return "infinite"
+        return q_algebra(self)
 
     @property
     def ramification(self) -> LocalAlgebra | Literal["infinite"]:
@@ -303,18 +298,9 @@ class MapGerm:
         >>> germ("x, y**2, x*y", "x y").ramification.dimension, germ("x, y**2", "x y").ramification
         (1, 'infinite')
         """
-        from osculant.cas.germs.local_algebra import LocalAlgebra, ramification
+        from osculant.germs.algebras import ramification
 
-        n, p = self.exact.n, self.target
-        if self.rank == min(n, p):
-            return LocalAlgebra(0, ())
-        # Unless it is everything, an ideal of largest minors has height |n − p| + 1 at most.
-        if n > abs(n - p) + 1:
-            return "infinite"
-        try:
-            return ramification(self.exact, self.patience)
-        except DomainError:
-            return "infinite"
+        return ramification(self)
 
     def invariants(self) -> dict[str, Any]:
         """δ, cusps, double folds, cross-caps, triple points, Milnor numbers: as for these dimensions.
@@ -360,7 +346,7 @@ class MapGerm:
         return f"({', '.join(text if j == component else '0' for j in range(self.target))})"
 
     def _unfolded(self, found: Unfolding) -> GermUnfolding:
-        return GermUnfolding(tuple(map(self.term, found.terms)), MapGerm(found.germ, patience=self.seconds))
+        return GermUnfolding(tuple(map(self.term, found.terms)), MapGerm(found.germ, self.seconds))
 
     def __repr__(self) -> str:
         return f"<MapGerm {', '.join(self.components)} in {' '.join(self.source)}>"

@@ -103,17 +103,17 @@ class Secant:
     @cached_property
     def germ(self) -> MapGerm:
         """The germ f of (p̄, u, v) with S = f(p̄, λ², v), and H = {u = 0}; ``germ.even`` is S."""
-        return MapGerm(self.exact.germ, None, self.exact.even, patience=self.seconds)
+        return MapGerm(self.exact.germ, self.seconds, even=self.exact.even)
 
     @cached_property
     def even(self) -> MapGerm:
         """The germ S of (p̄, λ, v), as a germ without symmetry."""
-        return MapGerm(self.exact.even, patience=self.seconds)
+        return MapGerm(self.exact.even, self.seconds)
 
     @cached_property
     def projection(self) -> MapGerm:
         """X after the projection along dX(w), of p."""
-        return MapGerm(self.exact.immersion.projection, patience=self.seconds)
+        return MapGerm(self.exact.immersion.projection, self.seconds)
 
     def linked(self) -> int:
         """Check that p₁·h₀·S is the projection where p̄ = p, λ = p₁, vᵢ = pᵢ/p₁ (Remark 6.2.3).
@@ -133,7 +133,7 @@ class Secant:
         'infinite'
         """
         found = secants.variety(self.exact.immersion, self.order)
-        return MapGerm(found, patience=self.seconds)
+        return MapGerm(found, self.seconds)
 
     def frenet(self) -> Frenet:
         """Curvature and torsion of a curve in space, their derivatives, and the case of Proposition 1.4.5.
@@ -213,12 +213,12 @@ class SecantApart:
     def __init__(self, exact: Any, patience: float = 10.0) -> None:
         self.exact, self.seconds = exact, patience
         self.parameters: tuple[str, ...] = exact.parameters
-        self.germ = MapGerm(exact.germ, patience=patience)
+        self.germ = MapGerm(exact.germ, patience)
 
     @cached_property
     def bigerm(self) -> MultiMapGerm:
         """Both branches, at (p₀, q₀) and at (q₀, p₀); DomainError for coefficients that are not rational."""
-        return MultiMapGerm([self.germ, MapGerm(self.exact.back, patience=self.seconds)], self.seconds)
+        return MultiMapGerm([self.germ, MapGerm(self.exact.back, self.seconds)], self.seconds)
 
     def bigerm_codimension(self) -> Size:
         """The extended A-codimension of the bigerm; UndecidedError if it is not known."""
