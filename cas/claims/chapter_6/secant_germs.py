@@ -7,8 +7,9 @@ from typing import Any
 
 import sympy as sp
 
-from osculant.cas.claims.claim import Check, Evidence, Method, claim
-from osculant.cas.claims.proof import integers, read, read_tuple, split, vanishes
+from osculant.cas.claims.chapter_6.secant_rows import DIMENSION, rows_of
+from osculant.cas.claims.claim import Evidence, Method, claim
+from osculant.cas.claims.proof import integers, read, read_tuple, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.entry import Entry
@@ -23,14 +24,6 @@ from osculant.cas.germs.unfolding import is_stable
 
 #: the projection P₃(c), and the same without its first component: the graph of a surface in R⁴
 P3, GRAPH = "y, x*y + x**3, x**2*y + c*x**4", "x*y + x**3, x**2*y + c*x**4"
-#: rows of the table as corrected that the thesis does not have
-MISSING = {"4-P_3", "5-7"}
-#: the secant germs depend on (p, w): strata of codimension at most 3 occur
-DIMENSION = 3
-
-
-def _rows(n: int) -> list[Entry]:
-    return [e for e in reference("table 6.1").entries if e.id.startswith(f"{n}-") and e.id not in MISSING]
 
 
 def _codimensions(entry: Entry) -> tuple[int, int, bool]:
@@ -44,63 +37,6 @@ def _codimensions(entry: Entry) -> tuple[int, int, bool]:
         raise DomainError(f"Row {entry.id} has the codimensions {sorted(map(str, found))}, not one pair.")
     a, b, stable = found.pop()
     return int(a), int(b), stable
-
-
-def _pair(text: str) -> tuple[int, ...]:
-    cods = text.split("/")
-    if len(cods) != 2 or not all(cod.strip().isdigit() for cod in cods):
-        raise DomainError(f"{text!r} is no pair of codimensions: write for instance 1/4.")
-    return tuple(int(cod) for cod in cods)
-
-
-def _table_check(n: int) -> Check:
-    def check(form: str) -> Evidence:
-        """A(H)-codimension of f with S = f(x̄, ȳ, λ², v) and A-codimension of π, for every sign; exactly.
-
-        Each S must be stable, and the rule of the strata must hold: cod S + cod π − (the least cod π in the
-        orbit of S) = cod π − (n − 2) ≤ 3, the dimension of the pairs (p, w).
-        """
-        claimed = [_pair(text) for text in split(form, form.count(",") + 1)]
-        evidence = Evidence(True)
-        least = 0
-        computed = []
-        for entry in _rows(n):
-            size, projection, stable = _codimensions(entry)
-            least = least if "further stratum" in entry.note else projection
-            stratum = size + projection - least
-            rule = stratum == projection - (n - 2) <= DIMENSION
-            computed.append((size, projection))
-            line = (
-                f"S = ({entry.text}): codimension {size}, {'' if stable else 'not '}stable; "
-                f"π = ({entry.projection}): {projection}; stratum {stratum}"
-            )
-            evidence &= Evidence(stable and rule, (line,))
-        return evidence & Evidence(computed == claimed, ())
-
-    return check
-
-
-#: by n, the pairs cod S/cod π as printed, and wrong ones
-PRINTED = {
-    3: (
-        "0/1, 0/2, 0/3, 0/4, 2/3, 3/4, 3/4",
-        ("0/1, 0/2, 0/3, 0/4, 1/3, 3/4, 3/4", "0/1, 0/2, 0/3, 0/4, 2/3, 3/4, 3/5"),
-    ),
-    4: ("0/2, 1/3, 1/4, 1/5, 2/4, 2/4, 3/5, 3/5, 3/5", ("0/2, 1/3, 1/4, 1/5, 2/4, 2/4, 3/5, 3/5, 3/6",)),
-    5: ("0/3, 1/4, 2/5, 2/5, 3/6, 3/6", ("0/3, 1/4, 2/5, 2/6, 3/6, 3/6",)),
-    6: ("0/4, 2/6, 3/7", ("0/4, 1/5, 3/7", "0/4, 2/5, 3/7")),
-    7: ("0/5, 3/8", ("0/5, 2/7",)),
-    8: ("0/6", ("0/7", "1/6")),
-}
-
-for _n, (_form, _wrong) in PRINTED.items():
-    claim(
-        f"table 6.1-n{_n}",
-        f"n = {_n}: the codimensions of secant germ/projection row by row; every secant germ is stable.",
-        method=Method.EXACT,
-        form=_form,
-        wrong=_wrong,
-    )(_table_check(_n))
 
 
 @claim(
@@ -121,7 +57,7 @@ def missing_projection(form: str) -> Evidence:
     It occurs if the secant germ of the surface with this projection, and its normal form (v, ȳ, u + x̄²,
     x̄ȳ + x̄³ + vx̄²), are stable, with cod S + cod π − (least cod π) = cod S ≤ 3, and cod π − (n − 2) the same.
     """
-    found = {multiplicity(entry.projected(*_first(entry))) for entry in _rows(5)}
+    found = {multiplicity(entry.projected(*_first(entry))) for entry in rows_of(5)}
     lines = [f"the rows printed have multiplicities {sorted(found)}"]
     entry = reference("table 6.1")["5-7"]
     size, projection, stable = _codimensions(entry)
@@ -160,7 +96,7 @@ def missing_stratum(form: str) -> Evidence:
     Its 2-jet (y, xy, 0) is that of the H_k, which the theorem lists; it occurs if secant germs of surfaces
     with this projection are stable.
     """
-    printed = [_codimensions(e)[1] for e in _rows(4) if multiplicity(e.projected(*_first(e))) == 3]
+    printed = [_codimensions(e)[1] for e in rows_of(4) if multiplicity(e.projected(*_first(e))) == 3]
     family = Family(P3, "x y", "c")
     whole = moduli(family, "A")
     member = reference("table 6.1")["4-P_3"]
