@@ -36,7 +36,8 @@ class SecantApart:
     """The secant germ at two points with different images.
 
     Attributes:
-        immersion: the components of X.
+        immersion: the components of X, in the variables ``given``.
+        given: the names of the source variables of X.
         points: the coordinates of the points, constants.
         parameters: the names of the coordinates p of the first point.
         source: those of the coordinates q of the second.
@@ -45,6 +46,7 @@ class SecantApart:
     """
 
     immersion: tuple[Node, ...]
+    given: tuple[str, ...]
     points: tuple[tuple[Node, ...], tuple[Node, ...]]
     parameters: tuple[str, ...]
     source: tuple[str, ...]
@@ -128,7 +130,7 @@ def secant_apart(
     germ = _direction(ends, values, (*p, *q), field)
     exchanged = {old: variable(new) for old, new in zip((*p, *q), (*q, *p))}
     back = Germ(substitute(germ.components, exchanged), germ.source, None, germ.field)
-    return SecantApart(tuple(components), (tuple(at), tuple(to)), p, q, germ, back)
+    return SecantApart(tuple(components), given, (tuple(at), tuple(to)), p, q, germ, back)
 
 
 def _direction(

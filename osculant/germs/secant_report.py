@@ -125,7 +125,7 @@ def apart_report(secant: SecantApart, progress: Callable[[float], None] | None =
         "kind": "secant apart",
         "version": 1,
         "immersion": list(map(to_text, exact.immersion)),
-        "source": list(exact.source),
+        "source": list(exact.given),
         "at": list(map(to_text, at)),
         "to": list(map(to_text, to)),
         "parameters": list(secant.parameters),

@@ -102,6 +102,15 @@ def test_two_points(capsys):
     assert flat["versality"] is None and "no versal unfolding" in flat["reason"]["versality"]
 
 
+def test_variables_called_like_the_boundary(capsys):
+    data = run_json(capsys, "secant", "u, v, u*v", "--source", "u v", "--direction", "0,1")
+    assert data["source"] == ["u", "v"] and data["germ"]["source"] == ["p1", "p2", "u", "v"]
+    assert data["projection"]["boundary"] is None and data["projection"]["group"] == "A"
+    apart = run_json(capsys, "secant", "u, v, u*v", "--source", "u v", "--to", "0,1")
+    assert apart["source"] == ["u", "v"] and apart["germ"]["source"] == ["p1", "p2", "q1", "q2"]
+    assert apart["germ"]["boundary"] is None and apart["parameters"] == ["p1", "p2"]
+
+
 def test_jets_that_do_not_settle_the_germ(capsys):
     data = run_json(capsys, "secant", "t, t^2, sin(t)^4*(1 + t)", "--source", "t", "--order", "1")
     assert (data["order"], data["settled"], data["germ"]["codimension"]) == (1, False, None)
