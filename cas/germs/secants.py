@@ -24,6 +24,8 @@ from osculant.cas.germs.search import Patience
 
 #: terms of the chords of a polynomial immersion that is taken as a whole, not up to an order
 WHOLE = 400
+#: order up to which quotients hᵢ/h₀ are expanded to be compared with the projection
+QUOTIENTS = 12
 #: orders of jets of f that are tried one after the other where none is given
 ORDERS = (2, 3, 5, 8)
 
@@ -83,7 +85,8 @@ class Secant:
     def linked(self) -> int:
         """Check Remark 6.2.3: p₁·h₀·S is the projection where p̄ = p, λ = p₁, vᵢ = pᵢ/p₁.
 
-        Returns the degree up to which the two were compared: all degrees for a whole S of a polynomial X.
+        Returns the degree up to which the two were compared: all degrees for a whole S of a polynomial X, if
+        h₀ = 1 or the degree of X is not high.
         AssertionError, a defect, if they differ.
 
         >>> secant(Immersion.of("x, y, x**3 + x*y", "x y")).linked()
@@ -93,6 +96,8 @@ class Secant:
         whole = x.polynomial if self.order is None else None
         top = max((poly.degree_of(m, n) for f in whole for m in f), default=1) if whole is not None else 0
         order = self.order if self.order is not None else (3 * top) // 2
+        if chord(x.germ.jet(2 * order + 1)[0], n) != {0: 1}:
+            order = min(order, QUOTIENTS)
         degree = (2 * order + 1) // 3  # a term of degree a of X is at most one of degree (3a − 1)/2 of f
         jet = x.germ.jet(2 * order + 1)
         first = poly.cut(halve(chord(jet[0], n), n, 2 * n), 2 * n, order)

@@ -66,6 +66,8 @@ def secant(
             f"direction: the direction is missing: give one in the source, such as {axis}.",
             argument="direction",
         )
+    if order is not None and type(order) is not int:
+        raise DomainError(f"order: {order!r} is no whole number: give one of at least 1.", argument="order")
     immersion = Immersion(
         components_of(formulas, names),
         names,
@@ -119,7 +121,8 @@ class Secant:
         """Check that p₁·h₀·S is the projection where p̄ = p, λ = p₁, vᵢ = pᵢ/p₁ (Remark 6.2.3).
 
         h₀ is the first coordinate of the secant's direction, which is 1 for a graph. Returns the degree up to
-        which they were compared, that of X if the germ is whole; a difference would be an AssertionError.
+        which they were compared, that of X if the germ is whole and h₀ = 1; a difference would be an
+        AssertionError.
 
         >>> secant("x, y, x^3 + x*y", "x y", direction="1, 0").linked()
         3

@@ -140,6 +140,12 @@ def test_points_and_directions_in_python(tmp_path):
     assert repr(osc.secant_apart("x, y, x*y", "x y", (0, 0), (1, 0))).startswith("<SecantApart (y - py)/")
 
 
+def test_orders_that_are_none():
+    for order in (2.0, "2", True):
+        with pytest.raises(osc.DomainError, match="is no whole number"):
+            osc.secant("t, t^2", "t", order=order)
+
+
 SURFACE = ["secant", "x, y, x*y", "--source", "x y"]
 MISTAKES = {
     "no source": (["secant", "x, y"], "The source variables are missing"),
