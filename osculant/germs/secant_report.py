@@ -71,22 +71,32 @@ def secant_report(
         "target_frame": target_frame,
         "order": secant.order,
         "settled": secant.settled,
-        "germ": report(secant.germ, "A(H)", within(0)) if secant.settled else _unsettled(secant, secant.germ),
+        "germ": report(secant.germ, "A(H)", within(0))
+        if secant.settled
+        else _unsettled(
+            secant.germ, f"Jets of order {secant.order} do not determine the germ: ask for a higher order."
+        ),
         "projection": report(secant.projection, "A", within(1)),
         "linked": secant.linked(),
     }
     if variety:
         found = secant.variety()
         whole = secant.order is None
-        data["variety"] = report(found, "A(H)", within(2)) if whole else _unsettled(secant, found)
+        data["variety"] = (
+            report(found, "A(H)", within(2))
+            if whole
+            else _unsettled(
+                found,
+                f"Jets of order {secant.order} alone are known of the variety's germ.",
+            )
+        )
     if (immersion.n, immersion.germ.p) == (1, 3):
         data["frenet"] = _frenet(secant)
     return data
 
 
-def _unsettled(secant: Secant, germ: MapGerm) -> dict[str, Any]:
+def _unsettled(germ: MapGerm, reason: str) -> dict[str, Any]:
     """The report of a germ of which jets alone are known, and do not tell its answers."""
-    reason = f"Jets of order {secant.order} do not determine the germ: ask for a higher order."
     told = {
         "source": list(germ.source),
         "target": germ.target,

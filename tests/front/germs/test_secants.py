@@ -116,6 +116,9 @@ def test_jets_that_do_not_settle_the_germ(capsys):
     assert (data["order"], data["settled"], data["germ"]["codimension"]) == (1, False, None)
     assert data["germ"]["reason"]["codimension"].startswith("Jets of order 1 do not determine the germ")
     assert data["germ"]["even"]["variable"] == "lam"
+    arc = run_json(capsys, "secant", "t, t^2, sin(t)^3", "--source", "t", "--variety")
+    assert (arc["settled"], arc["germ"]["codimension"], arc["variety"]["codimension"]) == (True, 0, None)
+    assert arc["variety"]["reason"]["stable"].startswith("Jets of order 2 alone are known of the variety's")
     shown = run(capsys, "secant", "x, y, exp(x*y) - 1", "--source", "x y", "--direction", "1,0")
     assert re.search(r"^  known by +jets of order 2$", shown, re.MULTILINE)
 
