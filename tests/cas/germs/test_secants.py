@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from itertools import product
 
@@ -10,6 +11,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from osculant.cas.claims.chapter_6.secant_rows import key
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import to_text
 from osculant.cas.formulas.parser import parse_tuple
@@ -96,6 +98,24 @@ def test_the_secant_germ_and_the_projection_are_linked(text, source, at, directi
     assert found.linked() >= min(top, (2 * (found.order or 99) + 1) // 3)
     assert (found.germ.n, found.germ.p, found.immersion.projection.p) == (2 * n, found.even.p, found.even.p)
     assert codimension(found.germ, "A(H)").value != "infinite" or whole
+
+
+@pytest.mark.parametrize(
+    ("text", "size"),
+    [("x, y, x^3 + x*y^2", 2), ("x, y, y^2 + x^3, x*y", 1), ("x, y, x^2, x^3 - x*y^2 + y^2", 1)],
+)
+def test_the_class_does_not_depend_on_coordinates(text: str, size: int) -> None:
+    """Of the source, by diffeomorphisms that keep the direction, and of the target, by affine ones."""
+    plain = secant(Immersion.of(text, "x y"))
+    wanted = key(plain.germ)
+    assert codimension(plain.germ, "A(H)").value == size
+    inner = {"x": "(2*x + y + x*y - x^2)", "y": "(3*y - x^2 + 2*x*y + y^2)"}
+    changed = re.sub("[xy]", lambda name: inner[name[0]], text)
+    first, *rest = changed.split(", ")
+    mixed = ", ".join([f"{first} + {rest[-1]} + 1", *(f"{f} - 2*({first})" for f in rest)])
+    for moved in (changed, mixed):
+        found = secant(Immersion.of(moved, "x y"))
+        assert found.settled and key(found.germ) == wanted and found.linked() > 0
 
 
 def test_a_wrong_link_is_seen() -> None:
