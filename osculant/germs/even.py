@@ -27,7 +27,7 @@ def even_data(germ: MapGerm, group: Group, unfolding: MapGerm | None = None) -> 
     >>> f = germ("x, x*lam^2 + lam^6", "x lam", even="lam")
     >>> found = even_data(f, f.group(), f.unfolding().germ)
     >>> found["components"], found["group"], found["unfolding"]
-    (['x', 'x*lam**2 + lam**6'], 'A^Z2', ['t1', 'x', 'x*lam**2 + lam**6 + t1*lam**4'])
+    (['x', 'x*lam**2 + lam**6'], 'A^Z2', ['t1', 'x + t1*lam**2', 'x*lam**2 + lam**6'])
     """
     s, u = germ.even, germ.boundary
     assert s is not None and u is not None
