@@ -14,7 +14,7 @@ import subprocess
 import sys
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any
+from typing import IO, Any
 
 from osculant.cas.errors import OsculantError
 from osculant.cas.formulas.expression import to_text
@@ -27,7 +27,7 @@ from osculant.cas.germs.groups import Group
 from osculant.cas.germs.local_dimension import large_zeros
 from osculant.cas.germs.loci import Locus, loci
 from osculant.cas.germs.model_reading import model_of
-from osculant.cas.germs.processes import Cost, counted
+from osculant.cas.germs.processes import Cost, counted, question
 
 #: seconds for a locus in the first round; how much more in the next; the longest round
 SLICE, MORE, LONGEST = 0.3, 4, 600.0
@@ -102,6 +102,7 @@ class Geometry:
         self.answer: Degeneration | None = None
         self.over = False
         self.cost: Cost | None = None
+        self.question: IO[bytes] | None = None
 
     @property
     def running(self) -> bool:
@@ -131,10 +132,13 @@ class Geometry:
         )
         self.cost = counted(self.process.pid)
         assert self.process.stdin is not None
+        self.question = self.process.stdin
         with suppress(OSError):
-            self.process.stdin.write(json.dumps(given).encode())
-            self.process.stdin.close()
-        self.process.stdin = None  # `communicate` shall only read
+            self.question.write(json.dumps(given).encode() + b"\n")
+            self.question.flush()
+        self.process.stdin = (
+            None  # `communicate` shall only read, and it stays open: see `processes.question`
+        )
 
     def result(self, seconds: float) -> Degeneration | None:
         """The proof, if there is one after so many seconds at most; None else, and then `over` tells more.
@@ -167,8 +171,10 @@ class Geometry:
                 else:
                     self.process.kill()
             self.process.wait()
-        if self.process.stdout is not None:
-            self.process.stdout.close()
+        for pipe in (self.process.stdout, self.question):
+            if pipe is not None:
+                with suppress(OSError):
+                    pipe.close()
 
     def __del__(self) -> None:
         with suppress(Exception):
@@ -258,7 +264,7 @@ def _in_a_child(
 
 
 def bounded() -> None:
-    """No process here may take much memory, or live on when the one that began it is gone."""
+    """No process here may take much memory, or live on for long."""
     with suppress(ImportError, ValueError, OSError):
         import resource
 
@@ -269,7 +275,7 @@ def bounded() -> None:
 def main() -> None:
     """Read a germ and a group from standard input; print the processor time taken, and the proof or null."""
     bounded()
-    read = json.load(sys.stdin)
+    read = question()
     name, source, target, fields = read["group"]
     print_proof(prove(germ_of(read), Group(name, source, target, tuple(fields)), tuple(read["kinds"])))
 

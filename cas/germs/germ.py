@@ -15,6 +15,9 @@ from osculant.cas.germs.expansion import EXPANSION, as_node, expanded, moving_no
 from osculant.cas.germs.linear import rank
 from osculant.cas.germs.polynomials import Number, Polynomial
 
+#: characters of a germ that sentences show; of these at its end
+SHOWN, END = 200, 30
+
 
 class Germ:
     """A map-germ f = (f₁, …, fₚ) with f(0) = 0.
@@ -173,6 +176,13 @@ class Germ:
 
     def __str__(self) -> str:
         return f"({', '.join(to_text(node) for node in self.components)})"
+
+    def __format__(self, spec: str) -> str:
+        """As text to be read in a sentence: a long germ is cut."""
+        shown = str(self)
+        if len(shown) > SHOWN:
+            shown = f"{shown[: SHOWN - 2 * END]} … {shown[-END:]}"
+        return format(shown, spec)
 
     def __repr__(self) -> str:
         return f"Germ({', '.join(to_text(node) for node in self.components)!r}, {' '.join(self.source)!r})"

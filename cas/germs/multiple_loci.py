@@ -7,8 +7,6 @@ dimensions allow, and there are none but the origin if e < 0 (as for a single ge
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Iterator, Sequence
 from functools import partial
 from itertools import combinations, product
@@ -21,6 +19,7 @@ from osculant.cas.germs.loci import Locus, minors
 from osculant.cas.germs.model import Model, ring
 from osculant.cas.germs.model_reading import model_of
 from osculant.cas.germs.normal_form import NormalForm, normal_form
+from osculant.cas.germs.processes import question
 from osculant.cas.germs.schemes import POINTS, UNKNOWNS, cycles, divided_differences
 
 Types = tuple[tuple[int, ...], ...]
@@ -145,7 +144,7 @@ def _scheme(
 def main() -> None:
     """Read the branches from standard input, print the proof or null."""
     bounded()
-    read = json.load(sys.stdin)
+    read = question()
     models = [model_of(germ_of(branch)) for branch in read["branches"]]
     known = [model for model in models if model is not None]
     loci = list(multiple_loci(known)) if len(known) == len(models) else []

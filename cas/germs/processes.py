@@ -1,11 +1,15 @@
-"""Processor time of this process and of those that help it, while they run and when they have ended."""
+"""Processes that help this one: the processor time of all, and an end to them when this one is gone."""
 
 from __future__ import annotations
 
+import json
 import os
+import signal
+import threading
 import time
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 
 class Cost:
@@ -72,3 +76,23 @@ def _told(pid: int, family: bool) -> float:
             for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split():
                 seconds += _told(int(child), False)
     return seconds
+
+
+def question() -> Any:
+    """What a helper is asked: a line of JSON on standard input. It ends when that is closed.
+
+    Who asks keeps the other end open as long as the answer is wanted; it is closed too when that process is
+    killed. A helper that leads a group of processes takes them along.
+    """
+    with os.fdopen(os.dup(0), "rb", closefd=True) as given:
+        asked = json.loads(given.readline())
+    threading.Thread(target=_end_with_input, daemon=True).start()
+    return asked
+
+
+def _end_with_input() -> None:
+    while os.read(0, 1):
+        pass
+    if hasattr(os, "killpg") and os.getpgrp() == os.getpid():
+        os.killpg(os.getpgrp(), signal.SIGKILL)
+    os._exit(1)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -91,3 +93,32 @@ def test_high_powers_of_units_are_functions_of_the_model():
     model = model_of(Germ(f"y*(1 + x)**{HIGH + 1000}*(1 + x + y)**{HIGH + 2000}", "x y"))
     assert model is not None and model.extra == 2
     assert model_of(Germ("y*(1 + x)**20", "x y")).extra == 0
+
+
+def test_helpers_end_with_the_process_that_asked_them():
+    script = (
+        "from osculant.cas.germs.geometry import Geometry\n"
+        "from osculant.cas.germs.germ import Germ\n"
+        "from osculant.cas.germs.groups import group\n"
+        "g = Geometry(Germ('(x**2+x*y+y*z+z**2-x**3)**2+x**7+y**6*z+(x*y*z)**4', 'x y z'), group('R'))\n"
+        "g.start()\n"
+        "print(g.process.pid, flush=True)\n"
+        "input()"
+    )
+    asking = subprocess.Popen(
+        [sys.executable, "-c", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    assert asking.stdout is not None
+    helper = int(asking.stdout.readline())
+    os.kill(helper, 0)  # it is there
+    asking.kill()
+    asking.communicate()
+    for _ in range(100):
+        time.sleep(0.1)
+        try:
+            os.kill(helper, 0)
+        except ProcessLookupError:
+            return
+        if Path(f"/proc/{helper}/stat").read_text().rpartition(")")[2].split()[0] == "Z":
+            return  # ended, but nobody has noticed yet
+    pytest.fail("the helper is still there")
