@@ -18,12 +18,12 @@ from typing import Any
 
 from osculant.cas.formulas.expression import Node, number, to_text, variable
 from osculant.cas.germs.algebraic import NumberField, height
-from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.eigenvalues import at_matrix, factors, rational_root
 from osculant.cas.germs.germ import Germ
-from osculant.cas.germs.groups import Group, Version
+from osculant.cas.germs.groups import Group
 from osculant.cas.germs.linear import inverse, null_space, product, rank
-from osculant.cas.germs.linear_fields import LinearField, all_linear_fields, pairings
+from osculant.cas.germs.linear_fields import LinearField, all_linear_fields
+from osculant.cas.germs.symmetries import symmetries
 
 Matrix = list[list[Any]]
 
@@ -62,6 +62,15 @@ class Frame:
         back = inverse(rows)
         return [[a * row[field.b] for row in back] for a in rows[field.a]]
 
+    def parts(self, field: LinearField) -> list[tuple[LinearField, Any]]:
+        """The field of the new coordinates as a combination of those of the old: (field, coefficient)."""
+        return [
+            (LinearField(field.side, c, i), entry)
+            for c, row in enumerate(self.field(field))
+            for i, entry in enumerate(row)
+            if entry
+        ]
+
     def text(self, germ: Germ) -> tuple[str, ...]:
         """The new coordinates as written: "X = x + 2*y", and Y1, Y2, … of the target."""
         targets = [f"y{j + 1}" for j in range(germ.p)]
@@ -99,10 +108,10 @@ def adapted(germ: Germ, group: Group, order: int) -> Frame | None:
     if group.source == "own":
         return None
     fields = all_linear_fields(germ, group)
-    symmetries = _symmetries(germ, group, fields, order)
+    found = symmetries(germ, group, order)
     fixed = germ.boundary_index if group.source == "boundary" else None
     best: tuple[tuple[int, int], Frame] | None = None
-    for weights in _simple(symmetries):
+    for weights in _simple(found):
         source, kinds, own = _eigenbasis(_matrix("source", germ.n, fields, weights), fixed)
         target, others, theirs = _eigenbasis(_matrix("target", germ.p, fields, weights), None)
         size = sum(height(v) for row in source + target for v in row)
@@ -123,13 +132,6 @@ def _simple(symmetries: Matrix) -> list[list[Fraction]]:
     weights = [source.randint(1, 40) for _ in symmetries]
     found.append([sum((w * x for w, x in zip(weights, column)), Fraction(0)) for column in zip(*symmetries)])
     return found[:TRIED] if symmetries else []
-
-
-def _symmetries(germ: Germ, group: Group, fields: Sequence[LinearField], order: int) -> Matrix:
-    """A basis of the combinations D of the fields with D f in T G₁ f."""
-    first = tangent(germ, group, Version.UNIPOTENT, order)
-    values = [pairings(field, germ, first.space, first.annihilator.functionals) for field in fields]
-    return null_space(list(map(list, zip(*values))), len(fields))
 
 
 def _matrix(side: str, size: int, fields: Sequence[LinearField], weights: Sequence[Fraction]) -> Matrix:

@@ -16,21 +16,18 @@ from typing import Any, Literal
 from osculant.cas.errors import UndecidedError
 from osculant.cas.formulas.expression import to_text
 from osculant.cas.germs.adapted import Frame, adapted, given, unit
-from osculant.cas.germs.codimension import (
-    Codimension,
-    Tangent,
-    annihilator_certificate,
-    codimension,
-    tangent,
-    tangent_of_contact,
-)
+from osculant.cas.germs.codimension import Codimension, codimension, tangent_of_contact
 from osculant.cas.germs.geometry import Degeneration
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
+from osculant.cas.germs.modular_choices import SeenChoices
+from osculant.cas.germs.modular_tangent import is_dense, modular_tangent
 from osculant.cas.germs.search import COLUMNS, GRADED, Patience
 from osculant.cas.germs.sharpness import Sharpness, sharpness
+from osculant.cas.germs.symmetries import telling_orders
 from osculant.cas.germs.tangent import JetSpace
-from osculant.cas.germs.unipotent import Choices, Fields
+from osculant.cas.germs.tangent_space import Tangent, annihilator_certificate, tangent
+from osculant.cas.germs.unipotent import Choices, ExactChoices, Fields
 from osculant.cas.germs.weights import graded_by, weights
 
 
@@ -87,23 +84,15 @@ class Evidence:
 
     def certificate(self) -> dict[str, Any]:
         """As plain data."""
-        first = self.choices.first
-        whole = annihilator_certificate(first)
-        functionals = self.choices.annihilator(self.frame, self.fields)
         told: dict[str, Any] = {
             "matrices": [
                 {"side": f.side, "matrix": [[str(v) for v in row] for row in self.frame.field(f)]}
                 for f in self.fields
             ],
-            "annihilator": {
-                **{key: whole[key] for key in ("order", "columns", "prime", "weights") if key in whole},
-                "functionals": [{c: str(v) for c, v in f.items()} for f in functionals],
-            },
+            **self.choices.certificate(self.frame, self.fields),
         }
         if self.contact is not None:
             told["contact"] = annihilator_certificate(self.contact)
-        if first.space.weights:
-            told["first"] = whole
         if self.sharp.other is not None and self.sharp.tangent is not None:
             t = self.sharp.tangent
             told["other"] = list(map(to_text, self.sharp.other.components))
@@ -169,12 +158,16 @@ class _Question:
     def choices(self, k: int) -> Choices | None:
         """The choices for a degree; None if they are too many."""
         order = k + self.bound
+        if is_dense(self.germ, self.group, k + 1):
+            seen = modular_tangent(self.germ, self.group, Version.UNIPOTENT, k + 1, self.bound)
+            if seen is not None:
+                return SeenChoices(self.germ, self.group, seen, order)
         columns = JetSpace(self.germ.n, self.germ.p, order).columns
         if columns > GRADED and (exact := self.exact) is not None:
             return exact
         if columns > COLUMNS:
             return None
-        return Choices(tangent(self.germ, self.group, Version.UNIPOTENT, order))
+        return ExactChoices(tangent(self.germ, self.group, Version.UNIPOTENT, order))
 
     @cached_property
     def exact(self) -> Choices | None:
@@ -190,13 +183,14 @@ class _Question:
             contact = Group(self.group.name, self.group.source, "contact", self.group.fields)
             found = self._first(contact, Version.EXTENDED, w, 1)
             self.contact_by_weight, light = found, found.depth + 1
-        return Choices(self._first(self.group, Version.UNIPOTENT, w, light), True)
+        return ExactChoices(self._first(self.group, Version.UNIPOTENT, w, light), True)
 
     def _first(self, g: Group, version: Version, w: tuple[int, ...], bound: int) -> Tangent:
         """The tangent space of the first order that settles it: it is finite."""
         order = 2 * max(w)
         while not (found := tangent(self.germ, g, version, order, w)).settled(bound):
-            order += max(1, order // 4)
+            # below, it is not settled: the depth does not fall
+            order = max(order + 1, found.least_order(bound))
             if self.patience.left() < 0:
                 raise UndecidedError(f"The {g.name} tangent space of {self.germ} is not known in time.")
         return found
@@ -222,9 +216,9 @@ class _Question:
     def adapted(self, order: int) -> Iterator[Frame]:
         """Coordinates adapted to the jet of that order, and to jets of lower orders that tell more apart."""
         key = "adapted", self.group
-        columns = {k: JetSpace(self.germ.n, self.germ.p, k).columns for k in range(order, 1, -1)}
-        fresh: tuple[list[int], list[Frame]] = [k for k in columns if columns[k] <= GRADED], []
-        left, found = self.germ.known.setdefault(key, fresh)
+        if key not in self.germ.known:
+            self.germ.known[key] = telling_orders(self.germ, self.group, order), list[Frame]()
+        left, found = self.germ.known[key]
         yield from tuple(found)
         while left:
             frame = adapted(self.germ, self.group, left.pop(0))
@@ -235,7 +229,7 @@ class _Question:
     def told(
         self, k: int, choices: Choices, frame: Frame, fields: Fields, known: Sharpness | None
     ) -> Determinacy:
-        found = known if known is not None and known.sharp else None
+        found = known if known is not None and known.sharp and known.tangent is not None else None
         found = found or sharpness(self.germ, self.group, k, self.depth)
         moved = frame.moved and bool(fields)
         contact = self.contact_by_weight if choices.exact else self.contact

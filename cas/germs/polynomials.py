@@ -94,12 +94,19 @@ def times(a: Polynomial, b: Polynomial, n: int, order: int) -> Polynomial:
     """
     top = order + 1 << BITS * n
     result: Polynomial = {}
+    whole = max(a, default=0) + max(b, default=0) < top
+    factors = list(b.items()) if whole else sorted(b.items(), key=_monomial)
     for left, c in a.items():
-        for right, d in b.items():
+        for right, d in factors:
             product = left + right
-            if product < top:
-                result[product] = result.get(product, 0) + c * d
+            if product >= top:
+                break
+            result[product] = result.get(product, 0) + c * d
     return {m: c for m, c in result.items() if c}
+
+
+def _monomial(term: tuple[int, Number]) -> int:
+    return term[0]
 
 
 def plus(a: Polynomial, b: Polynomial, factor: Number = 1) -> Polynomial:

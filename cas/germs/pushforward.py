@@ -18,7 +18,6 @@ from flint import fmpq
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.annihilator import annihilator
-from osculant.cas.germs.codimension import independent_columns
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.linear import null_space
 from osculant.cas.germs.local_algebra import q_algebra
@@ -27,6 +26,7 @@ from osculant.cas.germs.model import Model, polynomial, ring
 from osculant.cas.germs.polynomials import LARGEST, Polynomial
 from osculant.cas.germs.search import Patience
 from osculant.cas.germs.tangent import JetSpace
+from osculant.cas.germs.tangent_space import independent_columns
 from osculant.cas.germs.weights import Weights, weights
 
 #: the rank of a module whose determinants are taken

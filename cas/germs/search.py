@@ -23,6 +23,8 @@ GRADED = 3000
 #: a proof of "infinite" is looked for when the codimension has grown in so many orders one after the other,
 #: or is not settled after so many orders, or after so many seconds
 GROWTH, LATE, SOON = 6, 8, 0.4
+#: the share of the time after which it is looked for where orders are light
+SHARE = 0.25
 #: after so many seconds, or `LATE` orders, its answer is waited for, once, for so many seconds
 SLOW, FIRST = 1.0, 1.0
 #: seconds after which a wait looks at the time that the other process took
@@ -70,14 +72,17 @@ class Search:
         order: the last order tried.
         proof: that the answer is "infinite", once it is found.
         cost: the seconds that the last order took; who finds it known already tells what it took then.
+        least: no order below is worth a try.
+        light: whether orders are seen modulo a prime: a wider one takes little more, and geometry can wait.
     """
 
     def __init__(
         self, n: int, p: int, geometry: Geometry | None, patience: Patience, weights: tuple[int, ...] = ()
     ) -> None:
         self.n, self.p, self.geometry, self.patience, self.weights = n, p, geometry, patience, weights
-        self.order, self.next, self.expected = 0, 1, 0.0
+        self.order, self.next, self.least, self.expected = 0, 1, 1, 0.0
         self.proof: Degeneration | None = None
+        self.light = False
         self.last, self.times, self.seen, self.asked, self.cost = -1, 0, 0, False, 0.0
 
     def orders(self, limit: int = COLUMNS, highest: int = LARGEST) -> Iterator[int]:
@@ -93,11 +98,11 @@ class Search:
             if self.proof is not None:
                 return
             self.cost = max(self.cost, time.process_time() - begun)
-            following = order + max(1, order // 6)
+            following = max(order + max(1, order // 6), self.least)
             wider = JetSpace(self.n, self.p, following, self.weights).columns / columns
             self.next = following
             beside = 2 if self.geometry is not None and self.geometry.running else 1  # it takes as much
-            self.expected = self.cost * wider**2 * beside
+            self.expected = self.cost * (wider if self.light else wider**2) * beside
             order = following
 
     def grown(self, codimension: int) -> bool:
@@ -107,9 +112,10 @@ class Search:
         if self.geometry is None or self.geometry.over:
             return self.proof is not None
         spent = self.patience.spent()
-        if self.times >= GROWTH or self.seen >= LATE or spent > SOON:
+        soon = SHARE * self.patience.seconds if self.light else 0.0
+        if self.times >= GROWTH or self.seen >= LATE or spent > max(SOON, soon):
             self.geometry.start()
-        if self.seen >= LATE or spent > SLOW:
+        if self.seen >= LATE or spent > max(SLOW, soon):
             # as long as the last order took, the first time longer
             wait = max(self.cost, 0.0 if self.asked else FIRST)
             self.proof = self.patience.wait(self.geometry, wait)

@@ -18,15 +18,16 @@ from typing import Any
 from osculant.cas.formulas.expression import to_text
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.algebraic import exact
-from osculant.cas.germs.codimension import Tangent, independent_columns, tangent
 from osculant.cas.germs.eigenvalues import factors, rational_root
 from osculant.cas.germs.expansion import as_node
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version
 from osculant.cas.germs.linear import null_space, solution
 from osculant.cas.germs.linear_fields import LinearField, all_linear_fields, pairings
+from osculant.cas.germs.modular_tangent import first_prime, is_dense, modular_tangent
 from osculant.cas.germs.polynomials import Polynomial
 from osculant.cas.germs.tangent import JetSpace
+from osculant.cas.germs.tangent_space import Tangent, independent_columns, tangent
 
 Matrix = list[list[Any]]
 
@@ -36,7 +37,7 @@ class Sharpness:
     """Whether f is not (k − 1)-determined: True, or None if that is not known; why; and the other germ g.
 
     ``other`` is a polynomial germ with the (k − 1)-jet of f and M^kθ ⊄ T G g, which ``tangent`` shows, its
-    jets of order k; None where none is needed.
+    jets of order k; None where none is needed, and where this is only seen modulo a prime.
     """
 
     sharp: bool | None
@@ -53,7 +54,7 @@ def sharpness(germ: Germ, g: Group, k: int, depth: int, quick: bool = False) -> 
         g: the group.
         k: the degree.
         depth: m with M^{m+1}θ ⊂ T G f, no smaller one.
-        quick: only the (k − 1)-jet itself is tried.
+        quick: only the (k − 1)-jet itself is tried, that of a dense germ modulo a prime.
 
     >>> from osculant.cas.germs.groups import group
     >>> found = sharpness(Germ("x, (y + x**2)**3 + x*y", "x y"), group("A"), 3, 2)
@@ -65,6 +66,13 @@ def sharpness(germ: Germ, g: Group, k: int, depth: int, quick: bool = False) -> 
     if depth >= k:
         return Sharpness(True, f"M^{k}θ is not in the tangent space")
     for other in _candidates(germ, g, k, quick):
+        seen = None
+        if is_dense(other, g, k):
+            seen = modular_tangent(other, g, Version.ORDINARY, k, None, first_prime(germ, k))
+        if seen is not None and (quick or seen.depth < k):
+            if seen.depth >= k:
+                return Sharpness(True, "as seen modulo a prime", other)
+            continue
         found = tangent(other, g, Version.ORDINARY, k)
         if found.depth >= k:
             shown = ", ".join(map(to_text, other.components))

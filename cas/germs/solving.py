@@ -18,7 +18,8 @@ from osculant.cas.errors import UndecidedError
 from osculant.cas.germs import linear
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.algebraic import Algebraic, exact
-from osculant.cas.germs.annihilator import annihilator, blocks
+from osculant.cas.germs.annihilator import annihilator
+from osculant.cas.germs.elimination_mod_p import blocks
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
 from osculant.cas.germs.tangent import JetSpace, Vector, spanning

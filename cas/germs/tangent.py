@@ -125,7 +125,7 @@ def spanning(
     """The same vectors with their fields: (side, exponents of the multiplier, generator, vector).
 
     The generator is the number of a source field, that of a target coordinate, or for x^α f_i e_j the pair
-    (i, j). With ``integral`` vectors of the target part are multiples that have integers as coefficients.
+    (i, j). With ``integral`` vectors are multiples that have integers as coefficients.
     """
     n = germ.n
     jet = _jet(germ, order + max(weights, default=1), weights)
@@ -134,12 +134,14 @@ def spanning(
         if weights:
             field = tuple(poly.weighted(c, n, weights) for c in field)
         image = along(jet, field, n, order, weights)
+        if integral:
+            image = _integral(image)
         for m in every:
             if _reaches(m, n, least):
                 yield "source", poly.exponents_of(m, n), i, tuple(_shifted(f, m, n, order) for f in image)
     jet = _jet(germ, order, weights)
     if integral:
-        jet = tuple(map(_integral, jet))
+        jet = tuple(_integral((f,))[0] for f in jet)
     if group.target == "left":
         for beta, power in poly.powers(jet, n, order):
             if sum(beta) >= version:
@@ -162,13 +164,13 @@ def _jet(germ: Germ, order: int, weights: tuple[int, ...]) -> Vector:
     return tuple(poly.cut(poly.weighted(f, germ.n, weights), germ.n, order) for f in jet)
 
 
-def _integral(f: Polynomial) -> Polynomial:
-    """A multiple of a polynomial with integers as coefficients, which are quicker."""
-    numbers = [c for c in f.values() if isinstance(c, int | Fraction)]
-    if len(numbers) < len(f):
-        return f  # coefficients of another ring
+def _integral(vector: Vector) -> Vector:
+    """A multiple of a vector with integers as coefficients, which are quicker."""
+    numbers = [c for f in vector for c in f.values()]
+    if not all(isinstance(c, int | Fraction) for c in numbers):
+        return vector  # coefficients of another ring
     common = lcm(*{c.denominator for c in numbers})
-    return {m: int(c * common) for m, c in f.items()}
+    return tuple({m: int(c * common) for m, c in f.items()} for f in vector)
 
 
 def _reaches(m: int, n: int, least: int) -> bool:

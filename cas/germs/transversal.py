@@ -15,11 +15,11 @@ from fractions import Fraction
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.annihilator import annihilator
-from osculant.cas.germs.codimension import independent_columns
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
 from osculant.cas.germs.linear_fields import LinearField, linear_fields
 from osculant.cas.germs.tangent import JetSpace, Vector, vectors
+from osculant.cas.germs.tangent_space import independent_columns
 
 Term = tuple[int, int]
 

@@ -12,7 +12,8 @@ of higher weight. Then all orders of the coordinates are tried.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, islice, permutations
@@ -23,9 +24,10 @@ from flint import nmod_mat
 from osculant.cas.germs.adapted import Frame
 from osculant.cas.germs.algebraic import Algebraic
 from osculant.cas.germs.annihilator import Functional
-from osculant.cas.germs.codimension import Tangent
 from osculant.cas.germs.linear import null_space
-from osculant.cas.germs.linear_fields import LinearField, linear_fields, pairings
+from osculant.cas.germs.linear_fields import LinearField, all_linear_fields, linear_fields, pairings
+from osculant.cas.germs.tangent import JetSpace
+from osculant.cas.germs.tangent_space import Tangent, annihilator_certificate, functionals_told
 
 #: orders of the coordinates of one side, and sets of fields in one frame, tried at most
 ORDERS, SETS = 720, 2000
@@ -35,89 +37,50 @@ PRIME = 2**30 - 35
 Fields = tuple[LinearField, ...]
 #: of linear fields on the functionals
 Values = dict[LinearField, list[Any]]
+Residues = dict[LinearField, list[int]]
 
 
-class Choices:
-    """The annihilator of T G₁ f, and how it shrinks when nilpotent linear fields are added.
+class Choices(ABC):
+    """How T G₁ f grows when nilpotent linear fields are added: seen modulo a prime, then proved.
 
-    Args:
-        first: the tangent space T G₁ f.
-        exact: whether all of T G₁ f is known by it, not only its jets.
+    Attributes:
+        space: the jets of the proof.
+        prime: the prime.
+        exact: whether all of T G₁ f is known, not only its jets.
     """
 
-    def __init__(self, first: Tangent, exact: bool = False) -> None:
-        self.first, self.space, self.exact = first, first.space, exact
-        self.functionals = first.annihilator.functionals
-        self._degrees = [self.space.plain_degree(c) for c in range(self.space.columns)]
+    space: JetSpace
+    prime: int
+    exact = False
+
+    def __init__(self) -> None:
         self._far: dict[int, list[list[int]]] = {}
-        field = first.germ.field
-        self.prime = PRIME if field is None else field.split[0]
 
-    @cached_property
-    def values(self) -> Values:
-        """The values of the linear fields of the group, in the coordinates given, on the functionals."""
-        t = self.first
-        return {
-            field: pairings(field, t.germ, self.space, self.functionals)
-            for field in linear_fields(t.germ, t.group)
-        }
+    @abstractmethod
+    def residues(self, frame: Frame) -> Residues:
+        """The values of the fields of a frame on the functionals, without fields that have only zeros."""
 
-    def moved(self, frame: Frame) -> Values:
-        """The values of the fields of a frame; those that are 0 are left out."""
-        if not frame.moved:
-            return {f: v for f, v in self.values.items() if any(v)}
-        t, found = self.first, {}
-        diagonal = self._diagonal
-        for field in linear_fields(t.germ, t.group):
-            matrix = frame.field(field)
-            total = [Fraction(0)] * len(self.functionals)
-            for c, row in enumerate(matrix):
-                for i, entry in enumerate(row):
-                    if entry:
-                        part = diagonal[LinearField(field.side, c, i)]
-                        total = [a + entry * b for a, b in zip(total, part)]
-            if any(total):
-                found[field] = total
-        return found
+    @abstractmethod
+    def beyond(self, k: int) -> list[list[int]]:
+        """The functionals' values, modulo the prime, on what has a degree above k: a row for each column."""
 
-    @cached_property
-    def _diagonal(self) -> Values:
-        t = self.first
-        more = [LinearField("source", i, i) for i in range(t.germ.n)]
-        more += [LinearField("target", i, i) for i in range(t.germ.p)]
-        return {
-            **self.values,
-            **{f: pairings(f, t.germ, self.space, self.functionals) for f in more},
-        }
+    @abstractmethod
+    def confirmed(self, frame: Frame, fields: Fields, k: int) -> bool:
+        """Whether M^{k+1}θ ⊂ T with the fields; exact."""
 
-    def annihilator(self, frame: Frame, fields: Fields) -> list[Functional]:
-        """A basis of the functionals that vanish on T G₁ f and on the fields."""
-        values = self.moved(frame)
-        kernel = null_space([values[f] for f in fields if f in values], len(self.functionals))
-        return [_combined(vector, self.functionals) for vector in kernel]
-
-    def depth(self, vectors: Sequence[list[Any]]) -> int:
-        """m with M^{m+1}θ ⊂ T for T = T G₁ f and fields with these values, and no smaller m."""
-        kernel = null_space(vectors, len(self.functionals))
-        columns = {c for vector in kernel for c in _combined(vector, self.functionals)}
-        return max((self._degrees[c] for c in columns), default=-1)
+    @abstractmethod
+    def certificate(self, frame: Frame, fields: Fields) -> dict[str, Any]:
+        """Of what is confirmed: the annihilator with the fields, by weights that of T G₁ f first."""
 
     def settles(self, vectors: Sequence[list[int]], k: int) -> bool:
-        """Whether the depth is at most k, seen modulo a prime: quick, and nearly always right."""
-        return _rank([*vectors, *self._beyond(k)], self.prime) == _rank(vectors, self.prime)
-
-    def _beyond(self, k: int) -> list[list[int]]:
-        """A basis, modulo a prime, of the functionals' entries on the columns of degree above k."""
+        """Whether M^{k+1}θ ⊂ T with these vectors, seen modulo the prime: quick, and nearly always right."""
         if k not in self._far:
-            columns = {c for f in self.functionals for c in f if self._degrees[c] > k}
-            p = self.prime
-            rows = [[residue(f.get(c, Fraction(0)), p) for f in self.functionals] for c in sorted(columns)]
-            self._far[k] = _echelon(rows, self.prime)
-        return self._far[k]
+            self._far[k] = _echelon(self.beyond(k), self.prime)
+        return modular_rank([*vectors, *self._far[k]], self.prime) == modular_rank(vectors, self.prime)
 
     def raising(self, frame: Frame, k: int) -> tuple[Frame, Fields] | None:
         """No fields, or those that raise the weights of the frame, if M^{k+1}θ ⊂ T with them."""
-        if self.depth(()) <= k:
+        if self.settles((), k) and self.confirmed(frame, (), k):
             return frame, ()
         return self._found(frame, k, _by_weight)
 
@@ -130,28 +93,96 @@ class Choices:
         return None
 
     def _found(
-        self, frame: Frame, k: int, sets: Callable[[Frame, Values], Iterator[Fields]]
+        self, frame: Frame, k: int, sets: Callable[[Frame, Iterable[LinearField]], Iterator[Fields]]
     ) -> tuple[Frame, Fields] | None:
-        values = self.moved(frame)
-        residues = {f: [residue(v, self.prime) for v in vector] for f, vector in values.items()}
+        residues = self.residues(frame)
 
         def enough(fields: Fields) -> bool:
-            if not self.settles([residues[f] for f in fields], k):
-                return False
-            return self.depth([values[f] for f in fields]) <= k
+            return self.settles([residues[f] for f in fields], k)
 
-        if not self.settles(list(residues.values()), k):
+        if not enough(tuple(residues)):
             return None
-        for fields in islice(sets(frame, values), SETS):
+        for fields in islice(sets(frame, residues), SETS):
             if enough(fields):
                 for field in fields:  # leave out what is not needed
                     fewer = tuple(f for f in fields if f != field)
                     fields = fewer if enough(fewer) else fields
-                return frame, fields
+                if self.confirmed(frame, fields, k):
+                    return frame, fields
         return None
 
 
-def _triangular(frame: Frame, values: Values) -> Iterator[Fields]:
+class ExactChoices(Choices):
+    """By the annihilator of T G₁ f.
+
+    Args:
+        first: the tangent space T G₁ f.
+        exact: whether all of T G₁ f is known by it, not only its jets.
+    """
+
+    def __init__(self, first: Tangent, exact: bool = False) -> None:
+        super().__init__()
+        self.first, self.space, self.exact = first, first.space, exact
+        self.functionals = first.annihilator.functionals
+        self._degrees = [self.space.plain_degree(c) for c in range(self.space.columns)]
+        field = first.germ.field
+        self.prime = PRIME if field is None else field.split[0]
+
+    @cached_property
+    def values(self) -> Values:
+        """The values of the linear fields of the group, in the coordinates given, on the functionals."""
+        t = self.first
+        return {
+            field: pairings(field, t.germ, self.space, self.functionals)
+            for field in all_linear_fields(t.germ, t.group)
+        }
+
+    def moved(self, frame: Frame) -> Values:
+        """The values of the fields of a frame; those that are 0 are left out."""
+        found = {}
+        for field in linear_fields(self.first.germ, self.first.group):
+            if frame.moved:
+                total = [Fraction(0)] * len(self.functionals)
+                for part, entry in frame.parts(field):
+                    total = [a + entry * b for a, b in zip(total, self.values[part])]
+            else:
+                total = self.values[field]
+            if any(total):
+                found[field] = total
+        return found
+
+    def residues(self, frame: Frame) -> Residues:
+        """See `Choices`."""
+        return {f: [residue(v, self.prime) for v in vector] for f, vector in self.moved(frame).items()}
+
+    def beyond(self, k: int) -> list[list[int]]:
+        """See `Choices`."""
+        columns = {c for f in self.functionals for c in f if self._degrees[c] > k}
+        return [
+            [residue(f.get(c, Fraction(0)), self.prime) for f in self.functionals] for c in sorted(columns)
+        ]
+
+    def annihilator(self, frame: Frame, fields: Fields) -> list[Functional]:
+        """A basis of the functionals that vanish on T G₁ f and on the fields."""
+        values = self.moved(frame) if fields else {}
+        kernel = null_space([values[f] for f in fields if f in values], len(self.functionals))
+        return [_combined(vector, self.functionals) for vector in kernel]
+
+    def confirmed(self, frame: Frame, fields: Fields, k: int) -> bool:
+        """See `Choices`."""
+        return all(self._degrees[c] <= k for f in self.annihilator(frame, fields) for c in f)
+
+    def certificate(self, frame: Frame, fields: Fields) -> dict[str, Any]:
+        """See `Choices`."""
+        whole = annihilator_certificate(self.first)
+        told: dict[str, Any] = {
+            key: whole[key] for key in ("order", "columns", "prime", "weights") if key in whole
+        }
+        told["functionals"] = functionals_told(self.annihilator(frame, fields))
+        return {"annihilator": told, **({"first": whole} if self.space.weights else {})}
+
+
+def _triangular(frame: Frame, values: Iterable[LinearField]) -> Iterator[Fields]:
     """Sets of fields that are triangular together: by the weights, and by all orders of the coordinates."""
     seen = set()
     for fields in chain(_by_weight(frame, values), _by_order(values)):
@@ -160,7 +191,7 @@ def _triangular(frame: Frame, values: Values) -> Iterator[Fields]:
             yield fields
 
 
-def _by_weight(frame: Frame, values: Values) -> Iterator[Fields]:
+def _by_weight(frame: Frame, values: Iterable[LinearField]) -> Iterator[Fields]:
     """The fields that raise the weights, or lower them, on either side."""
     own, theirs = frame.source_weights, frame.target_weights
     if own is None or theirs is None:
@@ -171,7 +202,7 @@ def _by_weight(frame: Frame, values: Values) -> Iterator[Fields]:
         yield tuple(f for f in values if (height[f.side][f.a] > height[f.side][f.b]) == up[f.side])
 
 
-def _by_order(values: Values) -> Iterator[Fields]:
+def _by_order(values: Iterable[LinearField]) -> Iterator[Fields]:
     """The largest sets of fields that some order of the coordinates makes triangular."""
     sides = []
     for side in ("source", "target"):
@@ -204,7 +235,8 @@ def _echelon(rows: Sequence[Sequence[int]], prime: int) -> list[list[int]]:
     return [[int(form[i, j]) for j in range(width)] for i in range(rank)]
 
 
-def _rank(rows: Sequence[Sequence[int]], prime: int) -> int:
+def modular_rank(rows: Sequence[Sequence[int]], prime: int) -> int:
+    """The rank of rows of residues."""
     if not rows or not rows[0]:
         return 0
     return int(nmod_mat(len(rows), len(rows[0]), [v for row in rows for v in row], prime).rank())

@@ -14,12 +14,13 @@ from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import ZERO
 from osculant.cas.formulas.graph import substitute
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.codimension import codimension, independent_columns
+from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, group
 from osculant.cas.germs.linear import null_space
 from osculant.cas.germs.search import Patience
 from osculant.cas.germs.tangent import Vector
+from osculant.cas.germs.tangent_space import independent_columns
 
 
 @dataclass(frozen=True)

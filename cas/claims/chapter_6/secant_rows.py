@@ -13,7 +13,6 @@ from osculant.cas.claims.chapter_6.germ_signs import signature
 from osculant.cas.formulas.expression import ZERO, number, variable
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.algebraic import exact
-from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.entry import Entry
 from osculant.cas.germs.expansion import as_node
 from osculant.cas.germs.germ import Germ
@@ -23,6 +22,7 @@ from osculant.cas.germs.linear import null_space
 from osculant.cas.germs.polynomials import Polynomial
 from osculant.cas.germs.reference import reference
 from osculant.cas.germs.secants import Secant, secant
+from osculant.cas.germs.tangent_space import tangent
 from osculant.cas.germs.unfolding import is_stable
 
 #: rows of the table as corrected that the thesis does not have

@@ -13,12 +13,13 @@ from osculant.cas.claims.claim import Evidence, Method, claim
 from osculant.cas.claims.proof import integers, read
 from osculant.cas.formulas.expression import ZERO, number
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.codimension import codimension, tangent
+from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.expansion import as_node
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Version, group
 from osculant.cas.germs.immersions import Immersion
 from osculant.cas.germs.secants import chord, middle, variety
+from osculant.cas.germs.tangent_space import tangent
 from osculant.cas.germs.unfolding import is_stable
 
 #: dimensions n and codimensions c of the immersions tried

@@ -9,11 +9,12 @@ from osculant.cas.claims.claim import Check, Evidence, Method, claim
 from osculant.cas.claims.proof import read, vanishes
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_tuple
-from osculant.cas.germs.codimension import codimension, independent_columns, tangent
+from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.expansion import expanded
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import GROUPS, Version, group
 from osculant.cas.germs.reference import reference
+from osculant.cas.germs.tangent_space import independent_columns, tangent
 from osculant.cas.germs.transversal import transversal
 from osculant.cas.germs.unfolding import is_stable
 

@@ -7,12 +7,14 @@ from functools import cache
 
 import pytest
 
-from osculant.cas.germs.annihilator import LARGEST_PRIME, modular_annihilator
-from osculant.cas.germs.codimension import codimension, tangent
+from osculant.cas.germs.annihilator import LARGEST_PRIME
+from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.determinacy import determinacy
+from osculant.cas.germs.elimination_mod_p import modular_annihilator
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Version, group
 from osculant.cas.germs.tangent import rows, vectors
+from osculant.cas.germs.tangent_space import tangent
 from tests.cas.germs.checker import Problem, RejectedError, check_codimension, check_determinacy
 
 #: the primes below 2³¹, as many as the tests use

@@ -9,11 +9,11 @@ import pytest
 import sympy
 
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
 from osculant.cas.germs.solving import fields, solve
 from osculant.cas.germs.tangent import vectors
+from osculant.cas.germs.tangent_space import tangent
 
 CASES = [
     ("x**3 + y**4/3", "x y", "R", 5),
