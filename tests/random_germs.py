@@ -14,6 +14,7 @@ not have yet, and prints what it says in all; the exit status is 1 if a number d
 
 from __future__ import annotations
 
+import os
 import random
 import sys
 import time
@@ -220,6 +221,7 @@ def main(path: Path, processes: int = 1) -> int:
     """Go on with the record of one change of each germ; returns the exit status."""
     known = {int(row[0]) for row in recorded(path)} if path.exists() else set()
     missing = sorted(set(range(len(cases()))) - known, key=lambda seed: (terms(cases()[seed]), seed))
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"  # each process has its own germ to think of
     workers = ProcessPoolExecutor(processes, get_context("spawn"))
     with path.open("a", encoding="utf-8") as record, workers as pool:
         for done in as_completed([pool.submit(tried, seed) for seed in missing]):
