@@ -233,8 +233,8 @@ def test_only_whole_names_are_replaced():
         (lambda: reference("plane curves")["E_6k,p"].value("cod", k=3, p=2), "k - 2 - p must be at least 0"),
         (lambda: reference("rieger")["5"].projected(), "no projections"),
         (lambda: reference("rieger")["5"].projected_secant(), "no secant germ"),
-        (lambda: halved(Germ("v, l**3", "v l"), "l"), "not even in l"),
-        (lambda: halved(Germ("v, cos(l) - 1", "v l"), "l"), "not a polynomial"),
+        (lambda: halved(Germ("v, l**3", "v l"), "l"), "which is odd in l: a germ even"),
+        (lambda: halved(Germ("v, cos(l) - 1", "v l"), "l"), "must be a polynomial of degree"),
     ],
 )
 def test_errors(make, message):
