@@ -2,31 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from flint import fmpq_mat
+
+from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs.germ import Germ
-from osculant.cas.germs.jets_of_maps import MapJet
+from osculant.cas.germs.jets_of_maps import MapJet, map_jet
 from osculant.cas.recognition.forms import Column, Form
+from osculant.cas.recognition.jets import terms_of
+from osculant.cas.recognition.moves import TARGETS, Moved, unmoved
+from osculant.cas.recognition.obstruction import NotEquivalent as NotEquivalent
+from osculant.cas.recognition.reduction import reduced
 from osculant.cas.recognition.roots import Root
-
-
-class NotEquivalent(Exception):  # noqa: N818  (an answer, not an error)
-    """A germ that is not of the form asked about: what stands in the way.
-
-    Attributes:
-        column: the monomial with its component, if one is in the way.
-        level: its level, if so.
-        value: its coefficient.
-    """
-
-    def __init__(
-        self, sentence: str, column: Column | None = None, level: int | None = None, value: Any = None
-    ) -> None:
-        super().__init__(sentence)
-        self.column, self.level, self.value = column, level, value
+from osculant.cas.recognition.scaling import Scaled, agree, exchanges, scaled
+from osculant.cas.recognition.stages import starts
 
 
 @dataclass(frozen=True)
@@ -73,5 +66,84 @@ def equivalence(f: Germ, form: Form, order: int | None = None) -> Equivalence:
 
     Raises NotEquivalent if the jet of f is not in the orbit of any member of the form, DomainError for other
     numbers of variables or components, and UndecidedError beyond what is built.
+
+    >>> from osculant.cas.germs.reference import reference
+    >>> from osculant.cas.recognition.forms import form
+    >>> found = equivalence(Germ("x, y**3 - 3*x**2*y + x*y**2", "x y"), form(reference("rieger")["4_k"], k=2))
+    >>> found.signs, [str(s) for s in found.scales.source]
+    ((-1,), ['(3/10)**(1/2)', '1'])
     """
-    raise NotImplementedError
+    if (f.n, f.p) != (form.n, form.p):
+        raise DomainError(
+            f"{form} has {form.n} variables and {form.p} components; the germ has {f.n} and {f.p}."
+        )
+    if f.field is not None:
+        raise UndecidedError("Equivalences of germs whose coefficients are not rational are not built.")
+    k = form.order if order is None else order
+    start = map_jet(f.jet(k), f.n, k)
+    if form.boundary is not None and f.boundary_index != form.boundary:
+        raise DomainError(f"{form} has u in place {form.boundary + 1}, the germ in {f.boundary_index + 1}.")
+    refused: NotEquivalent | None = None
+    for begun in starts(unmoved(start, form.group), form):
+        try:
+            moved, terms = reduced(begun)
+            found = best(form, {column: _fraction(c) for column, c in terms.items() if c != 0}, moved)
+        except NotEquivalent as obstruction:
+            refused = refused or obstruction
+            continue
+        verify(found, start)
+        return found
+    assert refused is not None
+    raise refused
+
+
+def best(form: Form, terms: Mapping[Column, Fraction], moved: Moved) -> Equivalence:
+    """The equivalence with the first spelling of the signs, coordinates exchanged where that makes it.
+
+    Raises NotEquivalent if no scales make a member of the form.
+    """
+    found, refused = None, None
+    for variables, components in exchanges(form):
+        turned = {
+            (tuple(m[variables.index(i)] for i in range(form.n)), components[j]): c
+            for (m, j), c in terms.items()
+        }
+        try:
+            made = scaled(form, turned, moved.part.scales)
+        except NotEquivalent as obstruction:
+            refused = refused or obstruction
+            continue
+        if found is None or made.signs > found[0].signs:
+            found = made, turned, variables, components
+    if found is None:
+        assert refused is not None
+        raise refused
+    made, turned, variables, components = found
+    if variables != tuple(range(form.n)) or components != tuple(range(form.p)):
+        target = None if components == tuple(range(form.p)) else _permutation(components)
+        moved = moved.changed(_permutation(variables).transpose(), target)
+    scales = Scales(made.source, made.target)
+    return Equivalence(form, made.signs, made.moduli, moved.source, moved.target, turned, scales, moved.order)
+
+
+def verify(found: Equivalence, f: MapJet) -> None:
+    """Checks an equivalence by substitution; raises ArithmeticError if it is none: a mistake of this room."""
+    form, part = found.form, TARGETS[found.form.group.target]
+    image = part.applied(found.target, f.compose(found.source))
+    same = {column: _fraction(c) for column, c in terms_of(image).items()} == dict(found.coefficients)
+    linear = found.source.linear_part()
+    made = Scaled(found.scales.source, found.scales.target, found.signs, dict(found.moduli))
+    u = form.boundary
+    kept = u is None or (all(m[u] for (m, j) in terms_of(found.source) if j == u) and linear[u, u] > 0)
+    if not (same and linear.det() != 0 and kept and agree(form, found.coefficients, made)):
+        raise ArithmeticError(f"An equivalence with {form} that substitution refutes.")
+
+
+def _permutation(order: Sequence[int]) -> fmpq_mat:
+    """The matrix that puts coordinate i in place order[i]."""
+    n = len(order)
+    return fmpq_mat(n, n, [int(order[j] == i) for i in range(n) for j in range(n)])
+
+
+def _fraction(value: Any) -> Fraction:
+    return Fraction(int(value.p), int(value.q))

@@ -91,9 +91,14 @@ class Form:
         return tuple(p.name for p in self.entry.parameters if p.least is None)
 
     @cached_property
+    def core(self) -> tuple[Term, ...]:
+        """The terms of degree at most the order: determinacy removes the others, such as y³ of S₀."""
+        return tuple(term for term in self.terms if sum(term.monomial) <= self.order)
+
+    @cached_property
     def columns(self) -> dict[Column, Term]:
-        """The terms by their monomial and component."""
-        return {term.column: term for term in self.terms}
+        """The terms of the core by their monomial and component."""
+        return {term.column: term for term in self.core}
 
     def _key(self) -> tuple[object, ...]:
         return self.entry.list, self.entry.id, self.entry.text, self.integers, self.variables, self.terms

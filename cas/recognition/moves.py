@@ -1,0 +1,199 @@
+"""Germs that are moved by changes of coordinates, the changes kept: vector fields, their flows, linear maps.
+
+What a group does in the target is one of `TARGETS`; the rest of this room does not know which.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from flint import fmpq, fmpq_mat
+
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.groups import Group
+from osculant.cas.germs.jets_of_maps import MapJet
+from osculant.cas.recognition.elimination import Vector
+from osculant.cas.recognition.forms import Column, Exponents
+from osculant.cas.recognition.jets import identity_jet, jet_of, matrix_jet, terms_of
+from osculant.cas.recognition.levels import Columns
+
+
+@dataclass(frozen=True)
+class Field:
+    """x^α ∂/∂x_a ("source"), Y^β ∂/∂Y_j ("left"), or x^α f_i e_j ("contact", i the ``row``)."""
+
+    side: str
+    index: int
+    exponents: Exponents
+    row: int = 0
+
+
+#: terms of a germ with numbers of flint's
+Terms = Mapping[Column, Any]
+#: a sum of fields
+Sum = Mapping[Field, Any]
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A germ f with the changes that made it: f = ``target``·f₀∘``source``.
+
+    ``target`` is a jet of a map for L (and for R, the identity); what it is for C its part says.
+    """
+
+    f: MapJet
+    source: MapJet
+    target: Any
+    part: TargetPart
+
+    @property
+    def n(self) -> int:
+        """The number of source variables."""
+        return self.f.source
+
+    @property
+    def p(self) -> int:
+        """The number of components."""
+        return len(self.f.components)
+
+    @property
+    def order(self) -> int:
+        """The order of the jets."""
+        return self.f.order
+
+    def flowed(self, fields: Sum) -> Moved:
+        """The germ after the flow of a sum of fields at time 1, that of the source first."""
+        moved = self
+        own = {f: c for f, c in fields.items() if f.side == "source"}
+        theirs = {f: c for f, c in fields.items() if f.side != "source"}
+        if own:
+            n, p = self.n, self.p
+            field = jet_of((((f.exponents, f.index), c) for f, c in own.items()), n, n, self.order)
+            both = field.flow(MapJet(self.order, (*self.f.components, *self.source.components)))
+            moved = replace(
+                moved,
+                f=MapJet(self.order, both.components[:p]),
+                source=MapJet(self.order, both.components[p:]),
+            )
+        return self.part.flowed(moved, theirs) if theirs else moved
+
+    def changed(self, source: fmpq_mat | None = None, target: fmpq_mat | None = None) -> Moved:
+        """The germ after linear maps: f ↦ T·f∘S; the rows of S are the old coordinates in the new ones."""
+        moved = self
+        if source is not None:
+            inner = matrix_jet(source, self.order)
+            moved = replace(moved, f=self.f.compose(inner), source=self.source.compose(inner))
+        return moved if target is None else self.part.mapped(moved, target)
+
+
+@dataclass(frozen=True)
+class TargetPart:
+    """What a group does in the target.
+
+    Attributes:
+        identity: p, n and the order → the change that does nothing.
+        fields: the fields that raise levels, each with what it adds to a germ with these terms.
+        flowed: a germ after the flow of a sum of such fields.
+        mapped: a germ after a linear map of the target.
+        applied: a change and a germ → the germ changed, by substitution only.
+        scales: whether target coordinates may be scaled.
+    """
+
+    identity: Callable[[int, int, int], Any]
+    fields: Callable[[Columns, Terms], Iterator[tuple[Field, Vector]]]
+    flowed: Callable[[Moved, Sum], Moved]
+    mapped: Callable[[Moved, fmpq_mat], Moved]
+    applied: Callable[[Any, MapJet], MapJet]
+    scales: bool
+
+
+def source_fields(columns: Columns, boundary: int | None) -> list[Field]:
+    """The source fields that raise levels, tangent to the boundary."""
+    n, weights = len(columns.weights.source), columns.weights
+    return [
+        Field("source", a, m)
+        for m in columns.monomials
+        for a in range(n)
+        if weights.source_gain(m, a) > 0 and (a != boundary or m[a])
+    ]
+
+
+def source_row(field: Field, columns: Columns, terms: Terms) -> Vector:
+    """What a source field makes of a germ."""
+    found: Vector = {}
+    a, place = field.index, columns.place
+    for (m, j), c in terms.items():
+        if e := m[a]:
+            image = tuple(x + y - (i == a) for i, (x, y) in enumerate(zip(m, field.exponents)))
+            if (at := place.get((image, j))) is not None:
+                found[at] = c * e
+    return found
+
+
+def _no_fields(columns: Columns, terms: Terms) -> Iterator[tuple[Field, Vector]]:
+    return iter(())
+
+
+def _left_fields(columns: Columns, terms: Terms) -> Iterator[tuple[Field, Vector]]:
+    weights, n, p = columns.weights, len(columns.weights.source), len(columns.weights.target)
+    components: list[poly.Polynomial] = [{} for _ in range(p)]
+    for (m, j), c in terms.items():
+        components[j][poly.monomial(m)] = c
+    for beta, product in poly.powers(components, n, columns.order):
+        for j in range(p):
+            if any(beta) and weights.target_gain(beta, j) > 0:
+                row = {columns.place[poly.exponents_of(m, n), j]: fmpq(c) for m, c in product.items()}
+                yield Field("left", j, beta), row
+
+
+def _left_flowed(moved: Moved, fields: Sum) -> Moved:
+    p, order = moved.p, moved.order
+    field = jet_of((((f.exponents, f.index), c) for f, c in fields.items()), p, p, order)
+    change = field.flow(identity_jet(p, order))
+    return replace(moved, f=change.compose(moved.f), target=change.compose(moved.target))
+
+
+def _left_mapped(moved: Moved, matrix: fmpq_mat) -> Moved:
+    change = matrix_jet(matrix, moved.order)
+    return replace(moved, f=change.compose(moved.f), target=change.compose(moved.target))
+
+
+def _no_map(moved: Moved, matrix: fmpq_mat) -> Moved:
+    raise ValueError("the group has no target part")
+
+
+def _identity(p: int, n: int, order: int) -> MapJet:
+    return identity_jet(p, order)
+
+
+def _composed(change: MapJet, f: MapJet) -> MapJet:
+    return change.compose(f)
+
+
+#: the target parts of groups, by `Group.target`
+TARGETS: dict[str, TargetPart] = {
+    "none": TargetPart(_identity, _no_fields, lambda moved, _: moved, _no_map, _composed, False),
+    "left": TargetPart(_identity, _left_fields, _left_flowed, _left_mapped, _composed, True),
+}
+
+
+def unmoved(f: MapJet, group: Group) -> Moved:
+    """A germ before any change."""
+    part = TARGETS[group.target]
+    n, p = f.source, len(f.components)
+    return Moved(f, identity_jet(n, f.order), part.identity(p, n, f.order), part)
+
+
+def difference(a: MapJet, terms: Terms, columns: Columns) -> Vector:
+    """A jet less a germ of few terms, as entries by the places of columns."""
+    found: Vector = {columns.place[column]: c for column, c in terms_of(a).items()}
+    for column, c in terms.items():
+        at = columns.place[column]
+        value = found.get(at, fmpq(0)) - c
+        if value == 0:
+            found.pop(at, None)
+        else:
+            found[at] = value
+    return found
