@@ -6,7 +6,7 @@ aᵢb_{d−i}, so that no term above k is ever made.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -68,6 +68,26 @@ class MapJet:
                 f"{len(inner.components)} components and order {inner.order}."
             )
         return MapJet(self.order, tuple(_substituted(f, inner) for f in self.components))
+
+    def powers(self) -> Iterator[tuple[tuple[int, ...], Parts]]:
+        """(β, f^β) for every β ≠ 0 with f^β not zero up to the order; no component has a constant term.
+
+        >>> square = map_jet([{poly.monomial((2,)): 1}], 1, 5)
+        >>> [beta for beta, _ in square.powers()]
+        [(1,), (2,)]
+        """
+        p = len(self.components)
+        units = [tuple(int(i == j) for i in range(p)) for j in range(p)]
+        level = {unit: f for unit, f in zip(units, self.components) if any(not q.is_zero() for q in f)}
+        while level:
+            yield from level.items()
+            following = {}
+            for beta, value in level.items():
+                for i in range(max(i for i, e in enumerate(beta) if e), p):
+                    product = _times(value, self.components[i], self.order)
+                    if any(not part.is_zero() for part in product):
+                        following[(*beta[:i], beta[i] + 1, *beta[i + 1 :])] = product
+            level = following
 
     def linear_part(self) -> fmpq_mat:
         """The matrix of the derivative at the origin."""

@@ -123,7 +123,9 @@ def best(form: Form, terms: Mapping[Column, Fraction], moved: Moved) -> Equivale
         target = None if components == tuple(range(form.p)) else _permutation(components)
         moved = moved.changed(_permutation(variables).transpose(), target)
     scales = Scales(made.source, made.target)
-    return Equivalence(form, made.signs, made.moduli, moved.source, moved.target, turned, scales, moved.order)
+    return Equivalence(
+        form, made.signs, made.moduli, moved.source, moved.part.change(moved), turned, scales, moved.order
+    )
 
 
 def verify(found: Equivalence, f: MapJet) -> None:

@@ -26,6 +26,19 @@ def jet_of(terms: Iterable[tuple[Column, Any]], n: int, p: int, order: int) -> M
     return MapJet(order, tuple(tuple(context.from_dict(part) for part in parts) for parts in found))
 
 
+def graded_jet(jet: MapJet, degrees: Sequence[int]) -> MapJet:
+    """The same map, its parts those of equal weighted degree, cut above the order.
+
+    Jets of one grading are composed as they are; what they cannot do is to flow and to be inverted.
+    """
+    context, order = jet.context, jet.order
+    found: list[list[dict[Exponents, Any]]] = [[{} for _ in range(order + 1)] for _ in jet.components]
+    for (m, j), c in terms_of(jet).items():
+        if (degree := sum(d * e for d, e in zip(degrees, m))) <= order:
+            found[j][degree][m] = c
+    return MapJet(order, tuple(tuple(context.from_dict(part) for part in parts) for parts in found))
+
+
 def terms_of(jet: MapJet) -> dict[Column, Any]:
     """The terms of a jet, with numbers of flint's."""
     return {

@@ -13,8 +13,8 @@ from typing import Any
 
 from flint import fmpq, fmpq_mat
 
-from osculant.cas.germs import polynomials as poly
-from osculant.cas.recognition.elimination import Combination, echelon, swept
+from osculant.cas.germs.jets_of_maps import MapJet, Parts
+from osculant.cas.recognition.elimination import Combination, Vector, echelon, swept
 from osculant.cas.recognition.forms import Form
 from osculant.cas.recognition.jets import identity, matrix_of
 from osculant.cas.recognition.levels import monomials
@@ -88,19 +88,20 @@ def _along_flag(moved: Moved, form: Form, found: Shape) -> Moved:
     degrees = [min((sum(t.monomial) for t in form.core if t.component == j), default=0) for j in found.h]
     order = max(degrees)
     place = {m: i for i, m in enumerate(sorted(monomials(n, order), key=lambda m: (weights.of(m), m)))}
-    low = [poly.cut(f, n, order) for f in moved.f.polynomials()]
+    low = MapJet(order, tuple(parts[: order + 1] for parts in moved.f.components))
 
-    def vector(f: poly.Polynomial) -> dict[int, Any]:
-        return {place[poly.exponents_of(m, n)]: _number(c) for m, c in f.items()}
+    def vector(parts: Parts) -> Vector:
+        return {place[tuple(map(int, m))]: c for part in parts for m, c in part.to_dict().items()}
 
+    # a coordinate that is a component lies below all h: it may be subtracted, as what is of order two
     products = [
-        (beta, vector(f)) for beta, f in poly.powers(low, n, order) if sum(beta) > 1 or _one_of(beta, found)
-    ]  # a coordinate that is a component lies lower than all h: it is subtracted like those of order two
+        (beta, vector(f)) for beta, f in low.powers() if sum(beta) > 1 or beta.index(1) in found.x.values()
+    ]
     rows = echelon(products)
     lines: list[tuple[int, list[Any]]] = []
     for j in found.h:
         made: Combination = {("h", j): fmpq(1)}
-        rest = vector(low[j])
+        rest = vector(low.components[j])
         lead = swept(rest, rows, made)
         if lead is not None:
             inverse = 1 / rest[lead]
@@ -114,11 +115,6 @@ def _along_flag(moved: Moved, form: Form, found: Shape) -> Moved:
     for j, (_, line) in zip(found.h, sorted(lines, key=lambda pair: pair[0])):
         target[j] = line
     return moved.changed(None, matrix_of(target))
-
-
-def _one_of(beta: tuple[int, ...], found: Shape) -> bool:
-    """Whether Y^β is one of the coordinates that are components."""
-    return sum(beta) == 1 and beta.index(1) in found.x.values()
 
 
 def _squares(moved: Moved, form: Form, found: Shape) -> Moved:
@@ -149,7 +145,3 @@ def _squares(moved: Moved, form: Form, found: Shape) -> Moved:
         for k, v in zip(names, row):
             source[i, k] = v
     return moved.changed(source)
-
-
-def _number(value: Any) -> Any:
-    return fmpq(value.numerator, value.denominator)

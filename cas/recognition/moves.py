@@ -11,12 +11,12 @@ from typing import Any
 
 from flint import fmpq, fmpq_mat
 
-from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.groups import Group
 from osculant.cas.germs.jets_of_maps import MapJet
 from osculant.cas.recognition.elimination import Vector
 from osculant.cas.recognition.forms import Column, Exponents
 from osculant.cas.recognition.jets import identity_jet, jet_of, matrix_jet, terms_of
+from osculant.cas.recognition.left import composed
 from osculant.cas.recognition.levels import Columns
 
 
@@ -38,9 +38,10 @@ Sum = Mapping[Field, Any]
 
 @dataclass(frozen=True)
 class Moved:
-    """A germ f with the changes that made it: f = ``target``·f₀∘``source``.
+    """A germ f with the changes that made it of f₀: source changes first, then those of the target.
 
-    ``target`` is a jet of a map for L (and for R, the identity); what it is for C its part says.
+    ``target`` is what its part keeps of the change in the target: for L the maps, in the order in which they
+    were done.
     """
 
     f: MapJet
@@ -93,18 +94,20 @@ class TargetPart:
     """What a group does in the target.
 
     Attributes:
-        identity: p, n and the order → the change that does nothing.
+        identity: the change that does nothing.
         fields: the fields that raise levels, each with what it adds to a germ with these terms.
         flowed: a germ after the flow of a sum of such fields.
         mapped: a germ after a linear map of the target.
-        applied: a change and a germ → the germ changed, by substitution only.
+        change: the change of a moved germ, as `Equivalence.target` has it.
+        applied: such a change and a germ → the germ changed, by substitution only.
         scales: whether target coordinates may be scaled.
     """
 
-    identity: Callable[[int, int, int], Any]
+    identity: Any
     fields: Callable[[Columns, Terms], Iterator[tuple[Field, Vector]]]
     flowed: Callable[[Moved, Sum], Moved]
     mapped: Callable[[Moved, fmpq_mat], Moved]
+    change: Callable[[Moved], Any]
     applied: Callable[[Any, MapJet], MapJet]
     scales: bool
 
@@ -138,52 +141,56 @@ def _no_fields(columns: Columns, terms: Terms) -> Iterator[tuple[Field, Vector]]
 
 def _left_fields(columns: Columns, terms: Terms) -> Iterator[tuple[Field, Vector]]:
     weights, n, p = columns.weights, len(columns.weights.source), len(columns.weights.target)
-    components: list[poly.Polynomial] = [{} for _ in range(p)]
-    for (m, j), c in terms.items():
-        components[j][poly.monomial(m)] = c
-    for beta, product in poly.powers(components, n, columns.order):
-        for j in range(p):
-            if any(beta) and weights.target_gain(beta, j) > 0:
-                row = {columns.place[poly.exponents_of(m, n), j]: fmpq(c) for m, c in product.items()}
-                yield Field("left", j, beta), row
+    for beta, product in jet_of(terms.items(), n, p, columns.order).powers():
+        gained = [j for j in range(p) if weights.target_gain(beta, j) > 0]
+        entries = [(tuple(map(int, m)), c) for part in product for m, c in part.to_dict().items()]
+        for j in gained:
+            yield Field("left", j, beta), {columns.place[m, j]: c for m, c in entries}
 
 
 def _left_flowed(moved: Moved, fields: Sum) -> Moved:
     p, order = moved.p, moved.order
     field = jet_of((((f.exponents, f.index), c) for f, c in fields.items()), p, p, order)
-    change = field.flow(identity_jet(p, order))
-    return replace(moved, f=change.compose(moved.f), target=change.compose(moved.target))
+    return _left_composed(moved, field.flow(identity_jet(p, order)))
 
 
 def _left_mapped(moved: Moved, matrix: fmpq_mat) -> Moved:
-    change = matrix_jet(matrix, moved.order)
-    return replace(moved, f=change.compose(moved.f), target=change.compose(moved.target))
+    return _left_composed(moved, matrix_jet(matrix, moved.order))
+
+
+def _left_composed(moved: Moved, change: MapJet) -> Moved:
+    return replace(moved, f=change.compose(moved.f), target=(*moved.target, change))
 
 
 def _no_map(moved: Moved, matrix: fmpq_mat) -> Moved:
     raise ValueError("the group has no target part")
 
 
-def _identity(p: int, n: int, order: int) -> MapJet:
-    return identity_jet(p, order)
-
-
-def _composed(change: MapJet, f: MapJet) -> MapJet:
+def _applied(change: MapJet, f: MapJet) -> MapJet:
     return change.compose(f)
 
 
 #: the target parts of groups, by `Group.target`
 TARGETS: dict[str, TargetPart] = {
-    "none": TargetPart(_identity, _no_fields, lambda moved, _: moved, _no_map, _composed, False),
-    "left": TargetPart(_identity, _left_fields, _left_flowed, _left_mapped, _composed, True),
+    "none": TargetPart(
+        None,
+        _no_fields,
+        lambda moved, _: moved,
+        _no_map,
+        lambda m: identity_jet(m.p, m.order),
+        _applied,
+        False,
+    ),
+    "left": TargetPart(
+        (), _left_fields, _left_flowed, _left_mapped, lambda m: composed(m.target, m.f), _applied, True
+    ),
 }
 
 
 def unmoved(f: MapJet, group: Group) -> Moved:
     """A germ before any change."""
     part = TARGETS[group.target]
-    n, p = f.source, len(f.components)
-    return Moved(f, identity_jet(n, f.order), part.identity(p, n, f.order), part)
+    return Moved(f, identity_jet(f.source, f.order), part.identity, part)
 
 
 def difference(a: MapJet, terms: Terms, columns: Columns) -> Vector:

@@ -115,15 +115,29 @@ def _met(state: _Reduction, column: Column) -> None:
     for family in state.start.families:
         if column in family.columns and _turned(state, family):
             return
-    if column not in state.start.allowed:
+    if column in state.start.allowed:
+        state.terms[column] = state.terms.get(column, fmpq(0)) + value
+    elif not _exchanged(state, column, value):
         m, j = column
-        raise NotEquivalent(
-            f"The term {m} of component {j + 1} cannot be removed.",
-            column,
-            state.columns.level(state.columns.place[column]),
-            value,
-        )
-    state.terms[column] = state.terms.get(column, fmpq(0)) + value
+        level = state.columns.level(state.columns.place[column])
+        raise NotEquivalent(f"The term {m} of component {j + 1} cannot be removed.", column, level, value)
+
+
+def _exchanged(state: _Reduction, column: Column, value: Any) -> bool:
+    """Moves a column to a term of the normal form that the same fields make; False if there is none.
+
+    Where terms of different levels can stand for each other, the form may have the lower one. This goes down
+    in levels, once for each term.
+    """
+    at = state.columns.place[column]
+    for lead, (row, made) in state.rows.items():
+        term = state.columns.order_of[lead]
+        if at in row and term in state.start.allowed and term not in state.terms:
+            factor = -value / row[at]
+            state.moved = state.moved.flowed({f: factor * c for f, c in made.items()})  # type: ignore[misc]
+            state.terms[term] = factor
+            return True
+    return False
 
 
 def _turned(state: _Reduction, family: Family) -> bool:
