@@ -1,0 +1,126 @@
+"""Explicit equivalences: all rows of the lists in dense coordinates, checked by substitution of lines."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from osculant.cas.errors import DomainError, UndecidedError
+from osculant.cas.germs.germ import Germ
+from osculant.cas.germs.reference import reference
+from osculant.cas.recognition.equivalence import NotEquivalent, equivalence
+from osculant.cas.recognition.forms import form
+from tests.cas.recognition.disguise import check, disguised, members
+
+#: degrees of determinacy up to which lists are tried, in the ordinary tests and in the slow ones
+LISTS = {
+    "table 6.2": (3, 9),
+    "rieger": (5, 14),
+    "mond": (4, 11),
+    "klotz pop rieger": (3, 11),
+    "plane curves": (9, 22),
+    "space curves": (7, 30),
+    "goryunov": (3, 9),
+}
+#: forms that take more than is built
+BEYOND = {"I_2,2^l,m", "II_2,2^l", "X_4"}
+
+
+def told(found):
+    shown = [found.entry.id, *(f"{k}={v}" for k, v in found.integers)]
+    return " ".join(shown)
+
+
+def tried(name, seeds, most):
+    for found, germ, signs, moduli in members(name, most):
+        if found.entry.id in BEYOND:
+            continue
+        plain = equivalence(germ, found)
+        for seed in range(seeds):
+            moved = disguised(germ, found, f"{name} {told(found)} {signs} {moduli} {seed}")
+            made = equivalence(moved, found)
+            check(made, moved, seed)
+            assert (made.signs, made.moduli) == (plain.signs, plain.moduli), told(found)
+            assert {k: abs(Fraction(v)) for k, v in made.moduli.items()} == {
+                k: abs(v) for k, v in moduli.items()
+            }
+
+
+@pytest.mark.parametrize("name", LISTS)
+def test_every_row_in_dense_coordinates(name):
+    tried(name, 1, LISTS[name][0])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", LISTS)
+def test_many_coordinates(name):
+    tried(name, 4, LISTS[name][1])
+
+
+def test_table_6_2_has_33_real_classes():
+    spellings = set()
+    for found, germ, _, _ in members("table 6.2"):
+        spellings.add((found.entry.id, equivalence(germ, found).signs))
+    for entry in reference("table 6.2").entries:
+        classes = sum(identifier == entry.id for identifier, _ in spellings)
+        assert classes == entry.value("classes"), entry.id
+    assert len([s for s in spellings if s[0] != "7a"]) == 33
+
+
+def strangers(name, most):
+    """(germ, form of another row of the list with as many components)."""
+    known = [row for row in members(name, most) if row[0].entry.id not in BEYOND]
+    forms = list(dict.fromkeys(row[0] for row in known))
+    for own, germ, _, _ in known:
+        for other in forms:
+            if other != own and other.p == own.p:
+                yield own, germ, other
+
+
+@pytest.mark.parametrize(("name", "most"), [("table 6.2", 3), ("mond", 4), ("rieger", 5)])
+def test_other_rows_are_refused(name, most):
+    for own, germ, other in strangers(name, most):
+        with pytest.raises(NotEquivalent):
+            found = equivalence(germ, other)
+            pytest.fail(f"{told(own)} is {told(other)} with signs {found.signs}")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "most"), [("table 6.2", 4), ("mond", 6), ("rieger", 7)])
+def test_other_rows_are_refused_in_dense_coordinates(name, most):
+    for seed, (own, germ, other) in enumerate(strangers(name, most)):
+        with pytest.raises(NotEquivalent):
+            found = equivalence(disguised(germ, other, seed), other)
+            pytest.fail(f"{told(own)} is {told(other)} with signs {found.signs}")
+
+
+def test_moduli_are_what_scaling_leaves():
+    eight = form(reference("rieger")["8"])
+    made = equivalence(Germ("x, x*y + 2*y**6 + 3*y**8 + y**9", "x y"), eight)
+    assert made.signs == (1,)
+    # αy⁹: α = c₉s³/c₆ with s² = c₆/c₈
+    assert float(made.moduli["alpha"]) == pytest.approx(0.5 * (2 / 3) ** 1.5, abs=1e-15)
+    with pytest.raises(NotEquivalent, match="degenerates"):
+        equivalence(Germ("x, x*y + y**3, x*y**2 + y**4", "x y"), form(reference("mond")["P_3"]))
+
+
+def test_what_is_refused():
+    fold = form(reference("rieger")["2"])
+    with pytest.raises(NotEquivalent, match="rank"):
+        equivalence(Germ("x, y", "x y"), fold)
+    with pytest.raises(DomainError, match="2 variables and 2 components"):
+        equivalence(Germ("x, y, 0", "x y"), fold)
+    with pytest.raises(UndecidedError, match="not rational"):
+        equivalence(Germ("x, sqrt(2)*y**2", "x y"), fold)
+    with pytest.raises(DomainError, match="u in place 4"):
+        equivalence(Germ("x1, x2", "u x1 x2 x3"), form(reference("table 6.2")["2a"]))
+    with pytest.raises(NotEquivalent) as refused:
+        equivalence(Germ("x, x*y + y**4", "x y"), fold)
+    assert (refused.value.column, refused.value.value) == (((1, 1), 1), 1)
+
+
+def test_beyond_the_determinacy_degree():
+    whitney = form(reference("mond")["S_k"], k=0)
+    made = equivalence(Germ("x, y**2 + x**3, y**3 + x*y + y**5", "x y"), whitney, 6)
+    check(made, Germ("x, y**2 + x**3, y**3 + x*y + y**5", "x y"))
