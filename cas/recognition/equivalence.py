@@ -17,6 +17,7 @@ from osculant.cas.recognition.jets import terms_of
 from osculant.cas.recognition.moves import TARGETS, Moved, unmoved
 from osculant.cas.recognition.obstruction import NotEquivalent as NotEquivalent
 from osculant.cas.recognition.reduction import reduced
+from osculant.cas.recognition.refusals import proves
 from osculant.cas.recognition.roots import Root
 from osculant.cas.recognition.scaling import Scaled, agree, exchanges, scaled
 from osculant.cas.recognition.stages import starts
@@ -65,7 +66,8 @@ def equivalence(f: Germ, form: Form, order: int | None = None) -> Equivalence:
         order: k; by default the degree of determinacy of the form.
 
     Raises NotEquivalent if the jet of f is not in the orbit of any member of the form, DomainError for other
-    numbers of variables or components, and UndecidedError beyond what is built.
+    numbers of variables or components or a smaller order, and UndecidedError beyond what is built, and where
+    a failure proves nothing.
 
     >>> from osculant.cas.germs.reference import reference
     >>> from osculant.cas.recognition.forms import form
@@ -80,6 +82,10 @@ def equivalence(f: Germ, form: Form, order: int | None = None) -> Equivalence:
     if f.field is not None:
         raise UndecidedError("Equivalences of germs whose coefficients are not rational are not built.")
     k = form.order if order is None else order
+    if k < form.order:
+        raise DomainError(
+            f"order: {form} is seen in jets of order {form.order} on, not {k}.", argument="order"
+        )
     start = map_jet(f.jet(k), f.n, k)
     if form.boundary is not None and f.boundary_index != form.boundary:
         raise DomainError(f"{form} has u in place {form.boundary + 1}, the germ in {f.boundary_index + 1}.")
@@ -94,6 +100,8 @@ def equivalence(f: Germ, form: Form, order: int | None = None) -> Equivalence:
         verify(found, start)
         return found
     assert refused is not None
+    if not proves(form):
+        raise UndecidedError(f"Whether the germ is {form} is not decided: {refused}") from refused
     raise refused
 
 

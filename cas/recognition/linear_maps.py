@@ -13,25 +13,36 @@ from typing import Any
 
 from flint import fmpq, fmpq_mat
 
+from osculant.cas.errors import UndecidedError
 from osculant.cas.germs.jets_of_maps import MapJet, Parts
+from osculant.cas.recognition.cubes import cube_starts, has_cube
 from osculant.cas.recognition.elimination import Combination, Vector, echelon, swept
 from osculant.cas.recognition.forms import Form
 from osculant.cas.recognition.jets import identity, matrix_of
-from osculant.cas.recognition.levels import monomials
+from osculant.cas.recognition.levels import Weights, monomials
 from osculant.cas.recognition.moves import Moved
 from osculant.cas.recognition.obstruction import NotEquivalent
+from osculant.cas.recognition.pencils import is_pencil, pencil_starts
 from osculant.cas.recognition.quadratic import diagonalised
 from osculant.cas.recognition.reduction import Start
 from osculant.cas.recognition.shapes import Shape, shape
 
 
 def map_starts(moved: Moved, form: Form) -> Iterator[Start]:
-    """The one start of the reduction of a map of the shape of the form, for A or A(H).
+    """The starts of the reduction of a map of the shape of the form, for A or A(H); mostly one.
 
-    Raises NotEquivalent if the rank of df or of a quadratic form differs.
+    Raises NotEquivalent if the rank of df or of a quadratic form differs, UndecidedError if the form is not
+    in the coordinates that its lowest terms give, or if those of the germ are not rational.
     """
+    if is_pencil(form):
+        yield from pencil_starts(moved, form)
+        return
     found = shape(form)
-    moved = _squares(_along_flag(_linear(moved, form, found), form, found), form, found)
+    moved = _linear(moved, form, found)
+    if has_cube(form):
+        yield from cube_starts(moved, form, lambda m, weights: _along_flag(m, form, found, weights))
+        return
+    moved = _squares(_along_flag(moved, form, found, found.weights), form, found)
     base = {t.column: fmpq(1) for t in form.core if sum(t.monomial) == 1}
     yield Start(
         moved,
@@ -80,11 +91,11 @@ def _linear(moved: Moved, form: Form, found: Shape) -> Moved:
     return moved.changed(matrix_of(forms).inv(), matrix_of(target))
 
 
-def _along_flag(moved: Moved, form: Form, found: Shape) -> Moved:
+def _along_flag(moved: Moved, form: Form, found: Shape, weights: Weights) -> Moved:
     """A basis of the target along the flag that the weights of the source make."""
     if len(found.h) < 2:
         return moved
-    weights, n = found.weights, moved.n
+    n = moved.n
     degrees = [min((sum(t.monomial) for t in form.core if t.component == j), default=0) for j in found.h]
     order = max(degrees)
     place = {m: i for i, m in enumerate(sorted(monomials(n, order), key=lambda m: (weights.of(m), m)))}
@@ -122,6 +133,8 @@ def _squares(moved: Moved, form: Form, found: Shape) -> Moved:
     z, n = found.z, moved.n
     squares = [t for t in form.core if sum(t.monomial) == 2 and sum(t.monomial[i] for i in z) == 2]
     components = {t.component for t in squares}
+    if any(max(t.monomial) == 1 for t in squares):
+        raise UndecidedError(f"The quadratic form in the kernel of the derivative of {form} is not diagonal.")
     if len(z) < 2 or len(components) != 1:
         return moved
     part = moved.f.components[components.pop()][2].to_dict()

@@ -22,9 +22,10 @@ LISTS = {
     "plane curves": (9, 22),
     "space curves": (7, 30),
     "goryunov": (3, 9),
+    "table 6.1": (2, 4),
 }
 #: forms that take more than is built
-BEYOND = {"I_2,2^l,m", "II_2,2^l", "X_4"}
+BEYOND = {"3-7", "4-P_3"}
 
 
 def told(found):
@@ -124,3 +125,34 @@ def test_beyond_the_determinacy_degree():
     whitney = form(reference("mond")["S_k"], k=0)
     made = equivalence(Germ("x, y**2 + x**3, y**3 + x*y + y**5", "x y"), whitney, 6)
     check(made, Germ("x, y**2 + x**3, y**3 + x*y + y**5", "x y"))
+
+
+def test_squares_of_a_pencil_that_are_conjugate():
+    rieger = reference("rieger")
+    conjugate = Germ("x**2 + 2*y**2 + x**3, x*y + y**5", "x y")  # x ± √2·y are the lines of the squares
+    with pytest.raises(UndecidedError, match="not rational"):
+        equivalence(conjugate, form(rieger["I_2,2^l,m"], l=1, m=1))
+    with pytest.raises(NotEquivalent, match="conjugate"):
+        equivalence(conjugate, form(rieger["I_2,2^l,m"], l=1, m=2))
+    with pytest.raises(NotEquivalent, match="other real type"):
+        equivalence(conjugate, form(rieger["II_2,2^l"], l=1))
+    turned = Germ("x**2 - 3*y**2 + x**3, x*y + 7*x**3", "x y")
+    with pytest.raises(UndecidedError, match="root of index 5"):
+        equivalence(turned, form(rieger["II_2,2^l"], l=1))
+
+
+def test_cubes_of_a_pencil():
+    x4 = form(reference("mond")["X_4"])
+    two = Germ("x, y**3 + 3*x**2*y + y**4, x*y**2 - y**4", "x y")
+    check(equivalence(two, x4), two)
+    with pytest.raises(UndecidedError, match="cubes"):
+        equivalence(Germ("x, y**3 + 6*x**2*y + y**4, x*y**2 - y**4", "x y"), x4)
+    with pytest.raises(NotEquivalent, match="no two real cubes"):
+        equivalence(Germ("x, y**3 - 3*x**2*y + y**4, x*y**2 - y**4", "x y"), x4)
+
+
+def test_a_failure_that_proves_nothing_is_undecided():
+    found = form(reference("marar tari")["3_A_k"], k=2)
+    assert equivalence(Germ("x, y, z**3 + x**2*z - y**3*z", "x y z"), found).signs == (1, 1)
+    with pytest.raises(UndecidedError, match="is not decided"):
+        equivalence(Germ("x, y, z**3 + (x**2 + 4*x*y + 4*y**2 - y**3)*z", "x y z"), found)
