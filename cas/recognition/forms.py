@@ -62,7 +62,7 @@ class Form:
         order: the degree of determinacy of the row.
         signs: how many ± there are, those of squares that were added included.
 
-    Two forms are equal if they are the same row with the same integers and variables.
+    Two forms are equal if they are the same row with the same integers, variables and number of components.
 
     >>> from osculant.cas.germs.reference import reference
     >>> found = form(reference("rieger")["4_k"], k=2)
@@ -101,7 +101,15 @@ class Form:
         return {term.column: term for term in self.core}
 
     def _key(self) -> tuple[object, ...]:
-        return self.entry.list, self.entry.id, self.entry.text, self.integers, self.variables, self.terms
+        return (
+            self.entry.list,
+            self.entry.id,
+            self.entry.text,
+            self.integers,
+            self.variables,
+            self.p,
+            self.terms,
+        )
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Form) and self._key() == other._key()
@@ -176,6 +184,20 @@ def stabilised(found: Form, n: int) -> Form:
     while len(names) < n:
         names.append(next(z for i in range(1, n + 1) if (z := f"z{i}") not in names))
     return replace(found, variables=tuple(names), terms=tuple(padded), signs=total)
+
+
+def widened(found: Form, p: int) -> Form:
+    """The form with components 0 added, up to p of them: immersions into higher dimensions.
+
+    Raises DomainError for a form that has a component which is not linear or 0, and for a smaller p.
+
+    >>> from osculant.cas.germs.reference import reference
+    >>> widened(form(reference("table 6.2")["7a"]), 9).p
+    9
+    """
+    if p < found.p or any(sum(term.monomial) > 1 for term in found.core):
+        raise DomainError(f"{found} is no immersion into {p} dimensions: it has {found.p} components.")
+    return replace(found, p=p)
 
 
 def _terms(entry: Entry, integers: Mapping[str, int]) -> tuple[Term, ...]:

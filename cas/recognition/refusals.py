@@ -7,11 +7,14 @@ and the coordinates must be fixed up to triangular maps by what the stage looked
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import lru_cache
 
+from flint import fmpq
+
 from osculant.cas.errors import UndecidedError
-from osculant.cas.germs.jets_of_maps import map_jet
 from osculant.cas.recognition.forms import Form
+from osculant.cas.recognition.jets import jet_of
 from osculant.cas.recognition.moves import unmoved
 from osculant.cas.recognition.obstruction import NotEquivalent
 from osculant.cas.recognition.pencils import is_pencil
@@ -33,9 +36,9 @@ def proves(form: Form) -> bool:
 
 def reaches_itself(form: Form) -> bool:
     """Whether the reduction of a member of a form finds all its terms."""
-    moduli = {p.name: p.tried[0] for p in form.entry.parameters if p.least is None}
-    germ = form.entry.germ(None, **dict(form.integers), **moduli)
-    start = map_jet(germ.jet(form.order), form.n, form.order)
+    moduli = {p.name: Fraction(p.tried[0]) for p in form.entry.parameters if p.least is None}
+    values = ((t.column, t.coefficient * moduli.get(t.modulus or "", 1)) for t in form.core)
+    start = jet_of(((c, fmpq(v.numerator, v.denominator)) for c, v in values), form.n, form.p, form.order)
     for begun in starts(unmoved(start, form.group), form):
         try:
             _, terms = reduced(begun)
@@ -88,6 +91,12 @@ def fixed_by_shape(form: Form) -> bool:
 
 
 def _one_form(form: Form, found: Shape) -> bool:
-    """Whether the kernel of df is fixed by one quadratic form with at most one variable left over."""
+    """Whether the kernel of df is fixed by one quadratic form, as far as the other terms depend on it.
+
+    At most one variable is left over by the form then, and those of several squares stand nowhere else.
+    """
     squares = [t for t in form.core if sum(t.monomial) == 2 and max(t.monomial[i] for i in found.z) == 2]
-    return len({t.component for t in squares}) == 1 and len(squares) >= len(found.z) - 1
+    squared = [i for i in found.z if any(t.monomial[i] for t in squares)]
+    elsewhere = any(t.monomial[i] for t in form.core if t not in squares for i in squared)
+    one = len({t.component for t in squares}) == len(found.h) == 1
+    return one and len(squared) >= len(found.z) - 1 and (len(squared) < 2 or not elsewhere)

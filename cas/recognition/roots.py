@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import exp, log
 
 from flint import fmpz
 
@@ -38,7 +39,8 @@ class Root:
         return Root(self.base, self.index, -self.sign)
 
     def __float__(self) -> float:
-        return float(self.sign * float(self.base) ** (1 / self.index))
+        size = exp((log(self.base.numerator) - log(self.base.denominator)) / self.index)
+        return size if self.sign > 0 else -size
 
     def __str__(self) -> str:
         if self.index == 1:

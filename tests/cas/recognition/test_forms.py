@@ -8,9 +8,12 @@ import pytest
 
 from osculant.cas.errors import DomainError
 from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.reference import NAMES, reference
-from osculant.cas.recognition.forms import form, stabilised
+from osculant.cas.recognition.equivalence import equivalence
+from osculant.cas.recognition.forms import form, stabilised, widened
 from osculant.cas.recognition.roots import root
+from tests.cas.recognition.disguise import check
 
 
 def written(found, signs, moduli):
@@ -66,6 +69,17 @@ def test_roots_are_canonical():
     assert root(8, 6) == root(2, 2)
     assert root(Fraction(1, 8), 3).rational == Fraction(1, 2)
     assert (root(2, 2) * root(3, 3)) ** 6 == root(72)
+    assert float(-root(2 * 10**400, 4)) == pytest.approx(-(2**0.25) * 1e100, rel=1e-12)
     assert (-root(5, 3)) ** -3 == root(Fraction(1, 5), 1, -1)
     with pytest.raises(DomainError):
         root(-2, 2)
+
+
+def test_immersions_into_higher_dimensions():
+    seven = form(reference("table 6.2")["7a"])
+    nine = widened(seven, 9)
+    assert (nine.p, nine.terms, nine == seven) == (9, seven.terms, False)
+    germ = Germ("x2 + u, x1, x3 - x1**2, u, x1*u, x3*x2, x1 + x2, 0, u*x3", "x1 x2 x3 u")
+    check(equivalence(germ, nine), germ)
+    with pytest.raises(DomainError, match="no immersion"):
+        widened(form(reference("table 6.2")["6b"]), 7)
