@@ -8,7 +8,6 @@ quadratic equation.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from typing import Any
 
 from flint import fmpq, fmpz
@@ -62,7 +61,7 @@ def cube_starts(moved: Moved, form: Form, along: Callable[[Moved, Weights], Move
 def _annihilator(moved: Moved, form: Form) -> tuple[Any, Any, Any]:
     """The functional on the coefficients of y³, xy², x²y that vanishes on the plane."""
     cut = MapJet(3, tuple(parts[:4] for parts in moved.f.components))
-    start = replace(unmoved(cut, form.group))
+    start = unmoved(cut, form.group)
     allowed = frozenset((m, j) for m in CUBIC for j in (1, 2))
     base: dict[Column, Any] = {((1, 0), 0): fmpq(1)}
     _, terms = reduced(Start(start, flagged((2, 2), (2, 3, 3)), base, allowed))

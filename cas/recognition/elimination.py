@@ -9,7 +9,7 @@ from typing import Any
 #: entries by their column
 Vector = dict[int, Any]
 #: how a vector is combined of the rows: their labels and factors
-Combination = dict[Hashable, Any]
+Combination = dict[Any, Any]
 #: by leading column: a row with 1 there and nothing before, and how it is combined
 Echelon = dict[int, tuple[Vector, Combination]]
 

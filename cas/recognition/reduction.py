@@ -102,7 +102,7 @@ def reduced(start: Start) -> tuple[Moved, Terms]:
         made: Combination = {}
         stop = swept(error, state.rows, made)
         if made:
-            state.moved = state.moved.flowed(made)  # type: ignore[arg-type]
+            state.moved = state.moved.flowed(made)
         if stop is not None and (not made or columns.level(stop) == lowest):
             _met(state, columns.order_of[stop])
             state.eliminate()
@@ -134,7 +134,7 @@ def _exchanged(state: _Reduction, column: Column, value: Any) -> bool:
         term = state.columns.order_of[lead]
         if at in row and term in state.start.allowed and term not in state.terms:
             factor = -value / row[at]
-            state.moved = state.moved.flowed({f: factor * c for f, c in made.items()})  # type: ignore[misc]
+            state.moved = state.moved.flowed({f: factor * c for f, c in made.items()})
             state.terms[term] = factor
             return True
     return False

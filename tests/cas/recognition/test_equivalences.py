@@ -79,7 +79,18 @@ def strangers(name, most):
                 yield own, germ, other
 
 
-@pytest.mark.parametrize(("name", "most"), [("table 6.2", 3), ("mond", 4), ("rieger", 5)])
+@pytest.mark.parametrize(
+    ("name", "most"),
+    [
+        ("table 6.2", 4),
+        ("mond", 6),
+        ("rieger", 7),
+        ("klotz pop rieger", 5),
+        ("goryunov", 4),
+        ("plane curves", 10),
+        ("space curves", 8),
+    ],
+)
 def test_other_rows_are_refused(name, most):
     for own, germ, other in strangers(name, most):
         with pytest.raises(NotEquivalent):
@@ -94,6 +105,28 @@ def test_other_rows_are_refused_in_dense_coordinates(name, most):
         with pytest.raises(NotEquivalent):
             found = equivalence(disguised(germ, other, seed), other)
             pytest.fail(f"{told(own)} is {told(other)} with signs {found.signs}")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x1, u + x1*x2 + x2**4 + x3**2",
+        "x1, u**3 + x1*u + x2**2 + x3**2",
+        "x1, u*x2 + x1*x2 + x2**3 + x3**2",
+        "x1, x2, u + x1*x3 + x2*x3**2 + x3**5",
+        "x1, x2, x3**2 + x1*u + x2*u**2 + u**4",
+        "x1, x2, x3*u + x1*x3 + x2*x3**2 + x3**4",
+        "x1, x2, x3, u**5 + x1*u + x2*u**2 + x3*u**3",
+        "x1, x2, u + x1*x3, x3**3 + x2*x3**2",
+        "x1, x2, x3, u**3 + x1*u, x2*u",
+        "x1, x2, x3**2, u + x1*x3, x2*x3, 0",
+    ],
+)
+def test_germs_beyond_table_6_2_are_in_no_row(text):
+    germ = Germ(text, "x1 x2 x3 u")
+    for found in dict.fromkeys(row[0] for row in members("table 6.2") if row[0].p == germ.p):
+        with pytest.raises(NotEquivalent):
+            equivalence(disguised(germ, found, text), found)
 
 
 def test_moduli_are_what_scaling_leaves():
