@@ -44,11 +44,14 @@ class Field:
         self.generator = Algebraic(self, (Fraction(0), Fraction(1), *([Fraction(0)] * (self.degree - 2))))
         self.roots: dict[tuple[int, tuple[Fraction, ...]], Any] = {}
         interval = told["interval"]
+        #: rational numbers around a real root; None if no real root is told
+        self.interval: tuple[Fraction, Fraction] | None = None
         if interval is None:
             require(not told["roots"], "roots of numbers in a field that has no real root")
             return
         low, high = map(rational, interval)
         require(low < high and self._at(low) * self._at(high) < 0, "the interval is not told to have a root")
+        self.interval = (low, high)
         for root in told["roots"]:
             value, of, q = self._read(root["value"]), self._read(root["of"]), root["degree"]
             require(type(q) is int and 2 <= q <= DEGREE and value**q == of, "a root of a number is wrong")
@@ -65,6 +68,10 @@ class Field:
         for c in reversed(self.polynomial):
             total = total * value + c
         return total
+
+    def positive(self, value: Any) -> bool:
+        """Whether bounds tell that a number is positive at the roots in the interval; False without one."""
+        return self.interval is not None and _bounds(value, *self.interval)[0] > 0
 
     def root(self, of: Any, degree: int) -> Any:
         """The positive root of a number; for an odd degree also the negative one. Rejects if not known."""

@@ -8,12 +8,13 @@ accepts is proved even if the engine that wrote the file is wrong.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from osculant.certificates.check_algebra import number, read
+from osculant.certificates.check_equivalence import check_equivalence
 from osculant.certificates.check_fields import applied, check_nilpotent
 from osculant.certificates.check_loci import check_locus
 from osculant.certificates.check_numbers import Field, over
@@ -36,8 +37,9 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
     """Check a certificate file, and tell what it proves.
 
     Args:
-        certificate: the place of the file, or what is in it. Known are files of germs, as
-            `osculant.germs.report.certificate_file` and the command line make them.
+        certificate: the place of the file, or what is in it. Known are files of germs and of equivalences,
+            as `osculant.germs.report.certificate_file`, `osculant.germs.equivalence_file` and the command
+            line make them.
 
     Returns sentences, one for each statement that is proved.
 
@@ -62,14 +64,14 @@ def check(certificate: str | Path | Mapping[str, Any]) -> tuple[str, ...]:
             data = json.loads(text, parse_constant=_no_number)
         except (ValueError, RecursionError):
             raise RejectedError("the file is no JSON") from None
-    require(isinstance(data, Mapping) and data.get("kind") == "germ", "this is no certificate file of a germ")
+    require(isinstance(data, Mapping) and data.get("kind") in KINDS, "this is no certificate file of a germ")
     require(
         type(data.get("version")) is int and data["version"] == 1,
         f"the version {data.get('version')!r} of the file is not known",
     )
     try:
         with limited(), over(_field(data)):
-            return _germ(data)
+            return KINDS[data["kind"]](data)
     except RejectedError:
         raise
     except (
@@ -97,13 +99,34 @@ def _field(data: Mapping[str, Any]) -> Field | None:
     return None if told is None else Field(told, tuple(map(str, data["source"])))
 
 
-def _germ(data: Mapping[str, Any]) -> tuple[str, ...]:
+def _problem(data: Mapping[str, Any]) -> Problem:
     problem = Problem(
         tuple(map(str, data["components"])), tuple(map(str, data["source"])), data["boundary"], data["group"]
     )
     require(bool(problem.components) and bool(problem.source), "there is no germ")
     require(len(set(problem.source)) == problem.n, "a variable is named twice")
     require(all(any(m) for f in problem.jet(1) for m in f), "the germ is not 0 at the origin")
+    return problem
+
+
+def _equivalence(data: Mapping[str, Any]) -> tuple[str, ...]:
+    problem = _problem(data)
+    found = check_equivalence(problem, data)
+    pair = (
+        f"{found.first} and {found.second} are {problem.group}-equivalent over the {found.numbers} numbers."
+    )
+    told = [f"The jets of order {found.order} of {pair}"]
+    if data["determinacy"] is not None:
+        degree = data["determinacy"]["degree"]
+        check_determinacy(problem, degree, data["determinacy"]["proof"])
+        require(degree <= found.order, "the germ is not determined by its jet of that order")
+        told.append(f"{found.first} is {degree}-determined for {problem.group}.")
+        told.append(f"So the germs {pair}")
+    return tuple(told)
+
+
+def _germ(data: Mapping[str, Any]) -> tuple[str, ...]:
+    problem = _problem(data)
     name, group, proofs = f"({', '.join(problem.components)})", problem.group, data["certificate"]
     told: list[str] = []
     depth = None
@@ -209,3 +232,10 @@ def check_sharp(problem: Problem, degree: int, depth: int | None, told: Mapping[
             (c * values.get((m, j), 0) for j, f in enumerate(vector) for m, c in f.items()), Fraction(0)
         )
         require(total == 0, "the functional is not 0 on the other germ's tangent space")
+
+
+#: what a file may be: the function that checks it and tells what is proved
+KINDS: Mapping[str, Callable[[Mapping[str, Any]], tuple[str, ...]]] = {
+    "germ": _germ,
+    "equivalence": _equivalence,
+}
