@@ -129,11 +129,15 @@ class NumberField:
                     if factor.degree() == 1:
                         return prime, int(-factor[0] / factor[1])
 
-    def told(self) -> dict[str, Any]:
-        """The field as plain data, for certificates: see `osculant.certificates.check_numbers`."""
+    def told(self, bits: int = 80) -> dict[str, Any]:
+        """The field as plain data, for certificates: see `osculant.certificates.check_numbers`.
+
+        Args:
+            bits: the interval around a real root is about 2^−bits wide.
+        """
         interval = None
         if self.real is not None:
-            interval = [str(v) for v in _interval(self)]
+            interval = [str(v) for v in _interval(self, bits)]
         return {
             "name": self.name,
             "polynomial": [str(c) for c in self.polynomial.coeffs()],
@@ -267,18 +271,18 @@ def _listed(value: Any) -> list[str]:
     return [str(c) for c in value.coefficients()] if isinstance(value, Algebraic) else [str(value)]
 
 
-def _interval(field: NumberField) -> tuple[Fraction, Fraction]:
+def _interval(field: NumberField, bits: int) -> tuple[Fraction, Fraction]:
     """Rational numbers around the real root of the field, and no other root: the polynomial changes sign."""
     from flint import ctx
 
     assert field.real is not None
-    kept, ctx.prec = ctx.prec, 128
+    kept, ctx.prec = ctx.prec, bits + 48
     try:
         ball = field.real()
         (low, e), (high, d) = (v.man_exp() for v in (ball.lower(), ball.upper()))
     finally:
         ctx.prec = kept
-    width = Fraction(1, 2**80)
+    width = Fraction(1, 2**bits)
     return Fraction(int(low)) * Fraction(2) ** int(e) - width, Fraction(int(high)) * Fraction(2) ** int(
         d
     ) + width

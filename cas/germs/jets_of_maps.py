@@ -84,7 +84,7 @@ class MapJet:
             following = {}
             for beta, value in level.items():
                 for i in range(max(i for i, e in enumerate(beta) if e), p):
-                    product = _times(value, self.components[i], self.order)
+                    product = times(value, self.components[i], self.order)
                     if any(not part.is_zero() for part in product):
                         following[(*beta[:i], beta[i] + 1, *beta[i + 1 :])] = product
             level = following
@@ -118,7 +118,7 @@ class MapJet:
         found = MapJet(self.order, tuple(linear(identity)))
         for _ in range(self.order - 1):  # each step is right in one degree more
             rest = higher.compose(found)
-            moved = [_plus(a, b, -1) for a, b in zip(identity, rest.components)]
+            moved = [plus(a, b, -1) for a, b in zip(identity, rest.components)]
             found = MapJet(self.order, tuple(linear(moved)))
         return found
 
@@ -139,7 +139,7 @@ class MapJet:
             total, term, j = parts, self._along(parts), 1
             while any(not part.is_zero() for part in term):
                 term = tuple(part / fmpq(j) for part in term)
-                total, term, j = _plus(total, term), self._along(term), j + 1
+                total, term, j = plus(total, term), self._along(term), j + 1
             found.append(total)
         return MapJet(self.order, tuple(found))
 
@@ -149,7 +149,7 @@ class MapJet:
         total = (zero,) * (self.order + 1)
         for i, coefficient in enumerate(self.components):
             slopes = (*(part.derivative(i) for part in parts[1:]), zero)
-            total = _plus(total, _times(coefficient, slopes, self.order))
+            total = plus(total, times(coefficient, slopes, self.order))
         return total
 
 
@@ -175,11 +175,13 @@ def _parts(f: Any, order: int) -> Parts:
     return tuple(f.context().from_dict(part) for part in found)
 
 
-def _plus(a: Parts, b: Parts, factor: int = 1) -> Parts:
+def plus(a: Parts, b: Parts, factor: int = 1) -> Parts:
+    """a + factor·b."""
     return tuple(x + y * factor if not y.is_zero() else x for x, y in zip(a, b))
 
 
-def _times(a: Parts, b: Parts, order: int) -> Parts:
+def times(a: Parts, b: Parts, order: int) -> Parts:
+    """The product up to that degree."""
     zero = a[0].context().constant(0)
     found = [zero] * (order + 1)
     for i, x in enumerate(a):
@@ -206,7 +208,7 @@ def _substituted(f: Parts, inner: MapJet) -> Parts:
     def power(m: tuple[int, ...]) -> Parts:
         if m not in known:
             i = next(i for i, e in enumerate(m) if e)
-            known[m] = _times(power((*m[:i], m[i] - 1, *m[i + 1 :])), inner.components[i], order)
+            known[m] = times(power((*m[:i], m[i] - 1, *m[i + 1 :])), inner.components[i], order)
         return known[m]
 
     total: Parts = (context.constant(0),) * (order + 1)

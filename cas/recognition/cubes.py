@@ -17,9 +17,10 @@ from osculant.cas.germs.jets_of_maps import MapJet
 from osculant.cas.recognition.forms import Column, Form
 from osculant.cas.recognition.jets import matrix_of
 from osculant.cas.recognition.levels import Weights, flagged
-from osculant.cas.recognition.moves import Moved, unmoved
+from osculant.cas.recognition.moves import Moved
 from osculant.cas.recognition.obstruction import NotEquivalent
 from osculant.cas.recognition.reduction import Start, reduced
+from osculant.cas.recognition.targets import unmoved
 
 CUBIC = ((0, 3), (1, 2), (2, 1))
 

@@ -12,15 +12,17 @@ from flint import fmpq_mat
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.jets_of_maps import MapJet, map_jet
+from osculant.cas.recognition.finishing import Finish, substituted
 from osculant.cas.recognition.forms import Column, Form
 from osculant.cas.recognition.jets import terms_of
-from osculant.cas.recognition.moves import TARGETS, Moved, unmoved
+from osculant.cas.recognition.moves import Moved
 from osculant.cas.recognition.obstruction import NotEquivalent as NotEquivalent
-from osculant.cas.recognition.reduction import reduced
+from osculant.cas.recognition.reduction import Start, reduced
 from osculant.cas.recognition.refusals import proves
 from osculant.cas.recognition.roots import Root
 from osculant.cas.recognition.scaling import Scaled, agree, exchanges, scaled
 from osculant.cas.recognition.stages import starts
+from osculant.cas.recognition.targets import TARGETS, unmoved
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,8 @@ class Equivalence:
         coefficients: c, for every monomial of the form that is there.
         scales: s and t with tⱼ·c·s^α = the printed coefficient of every monomial x^α of component j.
         order: k.
+        finish: a change of the source over a real number field after φ, if the form needs one; c are what
+            they are after it.
     """
 
     form: Form
@@ -52,9 +56,10 @@ class Equivalence:
     moduli: Mapping[str, Fraction | Root]
     source: MapJet
     target: Any
-    coefficients: Mapping[Column, Fraction]
+    coefficients: Mapping[Column, Any]
     scales: Scales
     order: int
+    finish: Finish | None = None
 
 
 def equivalence(f: Germ, form: Form, order: int | None = None) -> Equivalence:
@@ -93,7 +98,9 @@ def equivalence(f: Germ, form: Form, order: int | None = None) -> Equivalence:
     for begun in starts(unmoved(start, form.group), form):
         try:
             moved, terms = reduced(begun)
-            found = best(form, {column: _fraction(c) for column, c in terms.items() if c != 0}, moved)
+            found = _finished(
+                form, {column: _fraction(c) for column, c in terms.items() if c != 0}, moved, begun
+            )
         except NotEquivalent as obstruction:
             refused = refused or obstruction
             continue
@@ -105,7 +112,24 @@ def equivalence(f: Germ, form: Form, order: int | None = None) -> Equivalence:
     raise refused
 
 
-def best(form: Form, terms: Mapping[Column, Fraction], moved: Moved) -> Equivalence:
+def _finished(form: Form, terms: Mapping[Column, Fraction], moved: Moved, begun: Start) -> Equivalence:
+    """The equivalence from the terms that remain, after a last step over a number field if there is one."""
+    if begun.finish is None:
+        return best(form, terms, moved)
+    refused: NotEquivalent | None = None
+    for made in begun.finish(terms):
+        try:
+            if (over := made.field) is None:
+                rational = moved.substituted(map_jet(made.images, form.n, moved.order))
+                return best(form, made.terms, rational)
+            return best(form, made.terms, moved, Finish(over, made.images))
+        except NotEquivalent as obstruction:
+            refused = refused or obstruction
+    assert refused is not None
+    raise refused
+
+
+def best(form: Form, terms: Mapping[Column, Any], moved: Moved, finish: Finish | None = None) -> Equivalence:
     """The equivalence with the first spelling of the signs, coordinates exchanged where that makes it.
 
     Raises NotEquivalent if no scales make a member of the form.
@@ -128,11 +152,15 @@ def best(form: Form, terms: Mapping[Column, Fraction], moved: Moved) -> Equivale
         raise refused
     made, turned, variables, components = found
     if variables != tuple(range(form.n)) or components != tuple(range(form.p)):
-        target = None if components == tuple(range(form.p)) else _permutation(components)
-        moved = moved.changed(_permutation(variables).transpose(), target)
+        if finish is None:
+            theirs = None if components == tuple(range(form.p)) else _permutation(components)
+            moved = moved.changed(_permutation(variables).transpose(), theirs)
+        else:
+            finish = finish.exchanged(variables)
     scales = Scales(made.source, made.target)
+    target = moved.part.change(moved)
     return Equivalence(
-        form, made.signs, made.moduli, moved.source, moved.part.change(moved), turned, scales, moved.order
+        form, made.signs, made.moduli, moved.source, target, turned, scales, moved.order, finish
     )
 
 
@@ -140,7 +168,10 @@ def verify(found: Equivalence, f: MapJet) -> None:
     """Checks an equivalence by substitution; raises ArithmeticError if it is none: a mistake of this room."""
     form, part = found.form, TARGETS[found.form.group.target]
     image = part.applied(found.target, f.compose(found.source))
-    same = {column: _fraction(c) for column, c in terms_of(image).items()} == dict(found.coefficients)
+    terms = {column: _fraction(c) for column, c in terms_of(image).items()}
+    if found.finish is not None:
+        terms = substituted(terms, found.finish.images, form.n, found.order)
+    same = terms == dict(found.coefficients)
     linear = found.source.linear_part()
     made = Scaled(found.scales.source, found.scales.target, found.signs, dict(found.moduli))
     u = form.boundary

@@ -1,6 +1,6 @@
 """Germs that are moved by changes of coordinates, the changes kept: vector fields, their flows, linear maps.
 
-What a group does in the target is one of `TARGETS`; the rest of this room does not know which.
+What a group does in the target is a `TargetPart`; the rest of this room does not know which.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from typing import Any
 
 from flint import fmpq, fmpq_mat
 
-from osculant.cas.germs.groups import Group
 from osculant.cas.germs.jets_of_maps import MapJet
 from osculant.cas.recognition.elimination import Vector
 from osculant.cas.recognition.forms import Column, Exponents
@@ -72,20 +71,27 @@ class Moved:
         if own:
             n, p = self.n, self.p
             field = jet_of((((f.exponents, f.index), c) for f, c in own.items()), n, n, self.order)
-            both = field.flow(MapJet(self.order, (*self.f.components, *self.source.components)))
+            along = self.target.components if self.part.along and self.target is not None else ()
+            all_ = field.flow(MapJet(self.order, (*self.f.components, *self.source.components, *along)))
             moved = replace(
                 moved,
-                f=MapJet(self.order, both.components[:p]),
-                source=MapJet(self.order, both.components[p:]),
+                f=MapJet(self.order, all_.components[:p]),
+                source=MapJet(self.order, all_.components[p : p + n]),
+                target=MapJet(self.order, all_.components[p + n :]) if along else self.target,
             )
         return self.part.flowed(moved, theirs) if theirs else moved
+
+    def substituted(self, inner: MapJet) -> Moved:
+        """The germ after a change of the source."""
+        along = self.part.along and self.target is not None
+        target = self.target.compose(inner) if along else self.target
+        return replace(self, f=self.f.compose(inner), source=self.source.compose(inner), target=target)
 
     def changed(self, source: fmpq_mat | None = None, target: fmpq_mat | None = None) -> Moved:
         """The germ after linear maps: f ↦ T·f∘S; the rows of S are the old coordinates in the new ones."""
         moved = self
         if source is not None:
-            inner = matrix_jet(source, self.order)
-            moved = replace(moved, f=self.f.compose(inner), source=self.source.compose(inner))
+            moved = self.substituted(matrix_jet(source, self.order))
         return moved if target is None else self.part.mapped(moved, target)
 
 
@@ -101,6 +107,7 @@ class TargetPart:
         change: the change of a moved germ, as `Equivalence.target` has it.
         applied: such a change and a germ → the germ changed, by substitution only.
         scales: whether target coordinates may be scaled.
+        along: whether the change is a jet of functions of the source, which moves with it.
     """
 
     identity: Any
@@ -110,6 +117,7 @@ class TargetPart:
     change: Callable[[Moved], Any]
     applied: Callable[[Any, MapJet], MapJet]
     scales: bool
+    along: bool = False
 
 
 def source_fields(columns: Columns, boundary: int | None) -> list[Field]:
@@ -170,27 +178,26 @@ def _applied(change: MapJet, f: MapJet) -> MapJet:
     return change.compose(f)
 
 
-#: the target parts of groups, by `Group.target`
-TARGETS: dict[str, TargetPart] = {
-    "none": TargetPart(
-        None,
-        _no_fields,
-        lambda moved, _: moved,
-        _no_map,
-        lambda m: identity_jet(m.p, m.order),
-        _applied,
-        False,
-    ),
-    "left": TargetPart(
-        (), _left_fields, _left_flowed, _left_mapped, lambda m: composed(m.target, m.f), _applied, True
-    ),
-}
-
-
-def unmoved(f: MapJet, group: Group) -> Moved:
-    """A germ before any change."""
-    part = TARGETS[group.target]
-    return Moved(f, identity_jet(f.source, f.order), part.identity, part)
+#: no target part, as for R
+NONE = TargetPart(
+    None,
+    _no_fields,
+    lambda moved, _: moved,
+    _no_map,
+    lambda moved: identity_jet(moved.p, moved.order),
+    _applied,
+    scales=False,
+)
+#: L: diffeomorphisms of the target
+LEFT = TargetPart(
+    (),
+    _left_fields,
+    _left_flowed,
+    _left_mapped,
+    lambda moved: composed(moved.target, moved.f),
+    _applied,
+    scales=True,
+)
 
 
 def difference(a: MapJet, terms: Terms, columns: Columns) -> Vector:

@@ -9,13 +9,14 @@ not known at first, are met level by level: the rows of a level do not depend on
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from flint import fmpq
 
 from osculant.cas.recognition.elimination import Combination, Echelon, Vector, echelon, swept
+from osculant.cas.recognition.finishing import Finished
 from osculant.cas.recognition.forms import Column
 from osculant.cas.recognition.jets import identity
 from osculant.cas.recognition.levels import Columns, Weights
@@ -51,6 +52,7 @@ class Start:
         allowed: the terms that may remain.
         families: linear forms that become coordinates.
         boundary: the place of u, if there is one.
+        finish: changes over number fields of the terms that remain, from which the form is made.
     """
 
     moved: Moved
@@ -59,6 +61,7 @@ class Start:
     allowed: frozenset[Column]
     families: tuple[Family, ...] = ()
     boundary: int | None = None
+    finish: Callable[[Terms], Iterator[Finished]] | None = None
 
 
 @dataclass

@@ -15,12 +15,12 @@ from flint import fmpq
 from osculant.cas.errors import UndecidedError
 from osculant.cas.recognition.forms import Form
 from osculant.cas.recognition.jets import jet_of
-from osculant.cas.recognition.moves import unmoved
 from osculant.cas.recognition.obstruction import NotEquivalent
 from osculant.cas.recognition.pencils import is_pencil
 from osculant.cas.recognition.reduction import reduced
 from osculant.cas.recognition.shapes import Shape, shape
 from osculant.cas.recognition.stages import starts
+from osculant.cas.recognition.targets import unmoved
 
 
 @lru_cache(maxsize=256)

@@ -1,21 +1,24 @@
-"""Real roots of rational numbers, exactly: the numbers by which coordinates are scaled."""
+"""Real roots of positive numbers, exactly: the numbers by which coordinates are scaled."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import exp, log
+from math import exp, gcd, lcm, log
+from typing import Any
 
 from flint import fmpz
 
 from osculant.cas.errors import DomainError
+from osculant.cas.germs.algebraic import exact
+from osculant.cas.recognition.real_fields import sign as real_sign
 
 
 @dataclass(frozen=True)
 class Root:
-    """sign·base^{1/index}, the positive root of a positive rational number; the index is least.
+    """sign·base^{1/index}, the positive root of a positive number; of a rational one the index is least.
 
-    Made by `root`, so that equal numbers are equal.
+    The base may be a number of a real number field. Made by `root`, so that equal numbers are equal.
 
     >>> root(Fraction(4, 9), 4), root(2, 2) * root(8, 2)
     (Root(base=Fraction(2, 3), index=2, sign=1), Root(base=Fraction(4, 1), index=1, sign=1))
@@ -23,17 +26,22 @@ class Root:
     ('2**(1/2)', '-8**(1/2)')
     """
 
-    base: Fraction
+    base: Any
     index: int = 1
     sign: int = 1
 
     def __mul__(self, other: Root) -> Root:
-        both = self.index * other.index
-        value = self.base**other.index * other.base**self.index
+        both = lcm(self.index, other.index)
+        value = self.base ** (both // self.index) * other.base ** (both // other.index)
         return root(value, both, self.sign * other.sign)
 
     def __pow__(self, exponent: int) -> Root:
-        return root(self.base**exponent, self.index, self.sign if exponent % 2 else 1)
+        common = gcd(exponent, self.index)
+        return root(self.base ** (exponent // common), self.index // common, self.sign if exponent % 2 else 1)
+
+    def same(self, other: Root) -> bool:
+        """Whether the numbers are equal, those of a number field too, which have several spellings."""
+        return self.sign == other.sign and self.base**other.index == other.base**self.index
 
     def __neg__(self) -> Root:
         return Root(self.base, self.index, -self.sign)
@@ -45,7 +53,8 @@ class Root:
     def __str__(self) -> str:
         if self.index == 1:
             return str(self.sign * self.base)
-        base = str(self.base) if self.base.denominator == 1 else f"({self.base})"
+        whole = isinstance(self.base, Fraction) and self.base.denominator == 1
+        base = str(self.base) if whole else f"({self.base})"
         return f"{'-' if self.sign < 0 else ''}{base}**(1/{self.index})"
 
     @property
@@ -59,15 +68,15 @@ class Root:
         return self.sign * self.base if self.index == 1 else self
 
 
-def root(base: Fraction | int, index: int = 1, sign: int = 1) -> Root:
-    """sign times the positive root of a positive rational number, with the least index.
+def root(base: Any, index: int = 1, sign: int = 1) -> Root:
+    """sign times the positive root of a positive number, of a rational one with the least index.
 
     Raises DomainError for a base that is not positive, an index below 1 and a sign that is not ±1.
     """
-    value = Fraction(base)
-    if value <= 0 or index < 1 or sign not in (1, -1):
+    value = exact(base)
+    if real_sign(value) <= 0 or index < 1 or sign not in (1, -1):
         raise DomainError(f"{sign} times the root of {base} of index {index} is no real root as meant here.")
-    for prime, _ in fmpz(index).factor() if index > 1 else ():
+    for prime, _ in fmpz(index).factor() if index > 1 and isinstance(value, Fraction) else ():
         while index % int(prime) == 0 and (found := _exact_root(value, int(prime))) is not None:
             value, index = found, index // int(prime)
     return Root(value, index, sign)

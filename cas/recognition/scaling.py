@@ -13,13 +13,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 from math import prod
+from typing import Any
 
 from osculant.cas.recognition.forms import Column, Form, Term
 from osculant.cas.recognition.obstruction import NotEquivalent
+from osculant.cas.recognition.real_fields import sign, size
 from osculant.cas.recognition.roots import Root, root
 from osculant.cas.recognition.smith import smith, solutions_mod_2
 
-Coefficients = Mapping[Column, Fraction]
+#: rational, or in one real number field
+Coefficients = Mapping[Column, Any]
 
 
 @dataclass(frozen=True)
@@ -77,7 +80,7 @@ def agree(form: Form, found: Coefficients, made: Scaled) -> bool:
                     return False
                 continue
             wanted = wanted * (modulus if isinstance(modulus, Root) else _root(modulus))
-        if not value or _made(term, made.source, made.target) * _root(value) != wanted:
+        if not value or not (_made(term, made.source, made.target) * _root(value)).same(wanted):
             return False
     return set(found) <= set(form.columns)
 
@@ -125,7 +128,7 @@ def _row(form: Form, term: Term, target: bool) -> list[int]:
 def _sizes(form: Form, fixed: Sequence[Term], found: Coefficients, target: bool) -> list[Root]:
     """The sizes of the scales."""
     u, divisors, v = smith([_row(form, term, target) for term in fixed])
-    ratios = [abs(term.coefficient / found[term.column]) for term in fixed]
+    ratios = [size(term.coefficient / found[term.column]) for term in fixed]
     powers = [prod((r**e for r, e in zip(ratios, row) if e), start=Fraction(1)) for row in u]
     for power in powers[len(divisors) :]:
         if power != 1:
@@ -155,7 +158,7 @@ def _signs(
         right = []
         for term in fixed:
             wanted = 1 if term.sign is None else signs[term.sign]
-            right.append(int(found[term.column] * term.coefficient * wanted < 0))
+            right.append(int(sign(found[term.column]) * term.coefficient * wanted < 0))
         solved = solutions_mod_2(rows, [*right, 0][: len(rows)], size)
         if solved is not None:
             return signs, _positive(form, found, solved, target)
@@ -176,7 +179,7 @@ def _positive(form: Form, found: Coefficients, solved: list[list[int]], target: 
 
         turning = next((vector for vector in kernel if flips(vector)), None)
         if turning is not None:
-            if int(found[terms[0].column] * terms[0].coefficient < 0) != flips(best):
+            if int(sign(found[terms[0].column]) * terms[0].coefficient < 0) != flips(best):
                 best = [a ^ b for a, b in zip(best, turning)]
             kernel = [
                 [a ^ b for a, b in zip(vector, turning)] if flips(vector) else vector
@@ -194,5 +197,5 @@ def _made(term: Term, source: Sequence[Root], target: Sequence[Root]) -> Root:
     return value
 
 
-def _root(value: Fraction) -> Root:
-    return root(abs(value), 1, 1 if value > 0 else -1)
+def _root(value: Any) -> Root:
+    return root(size(value), 1, sign(value))

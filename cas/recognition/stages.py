@@ -9,7 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from osculant.cas.errors import UndecidedError
+from osculant.cas.recognition.boundary_functions import boundary_starts
+from osculant.cas.recognition.complete_intersections import intersection_starts
 from osculant.cas.recognition.forms import Form
+from osculant.cas.recognition.functions import function_starts
 from osculant.cas.recognition.linear_maps import map_starts
 from osculant.cas.recognition.moves import Moved
 from osculant.cas.recognition.reduction import Start
@@ -20,6 +23,9 @@ Stage = Callable[[Moved, Form], Iterator[Start]]
 STAGES: dict[str, Stage] = {
     "A": map_starts,
     "A(H)": map_starts,
+    "R": function_starts,
+    "R(H)": boundary_starts,
+    "K": intersection_starts,
 }
 
 

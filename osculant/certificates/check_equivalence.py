@@ -104,13 +104,14 @@ def composed(f: Sequence[Polynomial], images: Vector, n: int, order: int) -> Vec
 def _form(
     texts: Sequence[str], names: Sequence[str], moduli: Mapping[str, Power], order: int
 ) -> list[dict[Exponents, Power]]:
-    """The normal form, a polynomial of that degree: coefficients are numbers times powers of moduli."""
+    """The normal form up to that degree: coefficients are numbers times powers of moduli."""
     found = []
     n = len(names)
     for text in texts:
         terms: dict[Exponents, Power] = {}
         for m, c in read(text, (*names, *moduli)).items():
-            require(sum(m[:n]) <= order, "the form has terms above the order of the jets")
+            if sum(m[:n]) > order:
+                continue
             require(m[:n] not in terms, "a coefficient of the form is a sum")
             value = Power(c)
             for modulus, e in zip(moduli.values(), m[n:]):

@@ -36,6 +36,7 @@ from osculant.germs.even import even_data
 
 if TYPE_CHECKING:
     from osculant.cas.germs.codimension import Codimension
+    from osculant.cas.germs.determinacy import Determinacy
     from osculant.cas.germs.groups import Group
     from osculant.germs.map_germ import GroupName, MapGerm
 
@@ -105,6 +106,17 @@ def codimension_certificate(germ: MapGerm, found: Codimension) -> dict[str, Any]
     >>> found = codimension_certificate(g, g.proved_codimension("A"))
     >>> found["kind"], found["locus"]["kind"], found["dimension"]
     ('locus', 'rank', 1)
+    """
+    return _with_terms(germ, found.certificate())
+
+
+def determinacy_certificate(germ: MapGerm, found: Determinacy) -> dict[str, Any]:
+    """The certificate of a degree of determinacy, with terms as text.
+
+    >>> from osculant.germs.map_germ import germ
+    >>> g = germ("x**3", "x")
+    >>> determinacy_certificate(g, g.determinacy())["kind"]
+    'criterion'
     """
     return _with_terms(germ, found.certificate())
 
@@ -221,7 +233,7 @@ class _Questions:
             self.certificates["determinacy"] = self.certificates["codimension"]
             return "infinite", None, f"not finitely determined: {self.found().proof}"
         found = self.germ.determinacy(self.group)
-        self.certificates["determinacy"] = _with_terms(self.germ, found.certificate())
+        self.certificates["determinacy"] = determinacy_certificate(self.germ, found)
         return found.degree, found.sharp, found.reason
 
     def stable(self) -> tuple[bool]:
