@@ -119,6 +119,8 @@ def _finished(form: Form, terms: Mapping[Column, Fraction], moved: Moved, begun:
     refused: NotEquivalent | None = None
     for made in begun.finish(terms):
         try:
+            for column in set(made.terms) - set(form.columns):
+                raise NotEquivalent(f"The term {column[0]} remains.", column, value=made.terms[column])
             if (over := made.field) is None:
                 rational = moved.substituted(map_jet(made.images, form.n, moved.order))
                 return best(form, made.terms, rational)

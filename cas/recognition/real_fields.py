@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from math import log
 from typing import Any
 
 from flint import arb_poly, ctx, fmpq_poly, fmpz_poly
@@ -67,6 +68,28 @@ def sign(value: Any) -> int:
     """
     if not isinstance(value, Algebraic):
         return int(value > 0) - int(value < 0)
+    return 1 if _ball(value, 1) > 0 else -1
+
+
+def logarithm(value: Any) -> float:
+    """The logarithm of a positive number, however large or small.
+
+    >>> logarithm(Fraction(2**5000, 2**4999)) == log(2)
+    True
+    >>> round(logarithm(next(real_roots([Fraction(v) for v in (-2, 0, 0, 1)]))), 12)
+    0.231049060187
+    """
+    if not isinstance(value, Algebraic):
+        return log(value.numerator) - log(value.denominator)
+    kept, ctx.prec = ctx.prec, 64
+    try:
+        return float(_ball(value, 60).log().mid())
+    finally:
+        ctx.prec = kept
+
+
+def _ball(value: Algebraic, bits: int) -> Any:
+    """A ball around a number of a real field that is known to so many bits."""
     if value.field.real is None:
         raise UndecidedError("A number of a field that is not told to be real has no sign.")
     kept, precision = ctx.prec, 64
@@ -74,8 +97,8 @@ def sign(value: Any) -> int:
         while True:  # the number is not 0
             ctx.prec = precision
             ball = arb_poly(value.value)(value.field.real())
-            if ball > 0 or ball < 0:
-                return 1 if ball > 0 else -1
+            if ball.rel_accuracy_bits() >= bits and not ball.contains(0):
+                return ball
             precision *= 2
     finally:
         ctx.prec = kept

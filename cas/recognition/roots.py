@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import exp, gcd, lcm, log
+from math import exp, gcd, lcm
 from typing import Any
 
 from flint import fmpz
 
 from osculant.cas.errors import DomainError
 from osculant.cas.germs.algebraic import exact
+from osculant.cas.recognition.real_fields import logarithm
 from osculant.cas.recognition.real_fields import sign as real_sign
 
 
@@ -47,7 +48,7 @@ class Root:
         return Root(self.base, self.index, -self.sign)
 
     def __float__(self) -> float:
-        size = exp((log(self.base.numerator) - log(self.base.denominator)) / self.index)
+        size = exp(logarithm(self.base) / self.index)
         return size if self.sign > 0 else -size
 
     def __str__(self) -> str:

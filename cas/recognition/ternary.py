@@ -18,6 +18,8 @@ from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.jets_of_maps import map_jet
 from osculant.cas.germs.model import polynomial, ring
 from osculant.cas.germs.polynomials import Polynomial
+from osculant.cas.recognition.real_fields import real_roots
+from osculant.cas.recognition.splitting import diagonal_basis, hessian
 
 Row = list[Fraction]
 
@@ -66,16 +68,34 @@ def completed(rows: Sequence[Row], n: int) -> list[Row]:
 def with_multiplicities(form: Polynomial, n: int, wanted: Sequence[int]) -> Iterator[list[Row]]:
     """The factors of a product of linear forms with these multiplicities, in every order that fits.
 
-    Raises UndecidedError if factors of the same multiplicity are not rational.
+    Raises UndecidedError if it may be such a product of real lines that are not rational.
     """
     lines, others = linear_factors(form, n)
     if others:
-        if not lines and len({m for _, m in others}) == 1 == len(set(wanted)):
+        found = [m for _, m in lines]
+        found += [m for f, m in others for _ in range(max(poly.degree_of(e, n) for e in f))]
+        if sorted(found) == sorted(wanted) and all(_real_lines(f, n) for f, _ in others):
             raise UndecidedError("The lines of the lowest jet are not rational.")
         return
     for chosen in permutations(lines):
         if [m for _, m in chosen] == list(wanted):
             yield [line for line, _ in chosen]
+
+
+def _real_lines(form: Polynomial, n: int) -> bool:
+    """Whether an irreducible form may be a product of real lines."""
+    degree = max(poly.degree_of(m, n) for m in form)
+    if n == 2:
+        slope = [Fraction(form.get(poly.monomial((i, degree - i)), 0)) for i in range(degree + 1)]
+        return len(list(real_roots(slope))) == degree
+    if degree == 2:
+        corank, basis = diagonal_basis(hessian(form, n))
+        images = [{poly.variable(j, n): c for j, c in enumerate(row) if c} for row in basis]
+        values = map_jet([form], n, 2).compose(map_jet(images, n, 2)).polynomials()[0].values()
+        return corank == n - 2 and len({v > 0 for v in values}) == 2
+    determinant = _hessian_determinant(form)  # of a product of three lines a multiple of it
+    terms = sorted({*form, *determinant})
+    return linear.rank([[Fraction(f.get(m, 0)) for m in terms] for f in (form, determinant)], len(terms)) < 2
 
 
 def cuspidal(form: Polynomial) -> list[Row] | None:
@@ -124,7 +144,7 @@ def chord_conic(form: Polynomial) -> Iterator[list[Row]]:
     line, conic = found
     rows = completed([line], 3)
     lines, others = linear_factors(_without(in_coordinates(conic, rows, 2), 0), 3)
-    if others:
+    if others and _real_lines(others[0][0], 3):
         raise UndecidedError("The points of a line and a conic of the lowest jet are not rational.")
     if [m for _, m in lines] != [1, 1]:
         return
@@ -159,7 +179,7 @@ def nodal(form: Polynomial) -> list[Row] | None:
     if any(poly.exponents_of(m, 3)[2] > 1 for m in inside):
         return None
     lines, others = linear_factors(cone, 3)
-    if others:
+    if others and _real_lines(others[0][0], 3):
         raise UndecidedError("The tangents at the node of the lowest jet are not rational.")
     if [m for _, m in lines] != [1, 1]:
         return None

@@ -185,6 +185,7 @@ def _kept(
     if problem.parts[0] == "none":
         require(phi == [{m: Fraction(1)} for m in _units(problem.n)], "φ is not the identity")
     if problem.fixed is None:
+        require(boundary is None is problem.boundary, f"{problem.group} has no boundary variable")
         return
     require(boundary in names, "the form has no boundary variable")
     place = names.index(boundary)

@@ -118,8 +118,8 @@ def _equivalence(data: Mapping[str, Any]) -> tuple[str, ...]:
     told = [f"The jets of order {found.order} of {pair}"]
     if data["determinacy"] is not None:
         degree = data["determinacy"]["degree"]
+        require(degree <= found.order, "the germ is not told to be determined by its jet of that order")
         check_determinacy(problem, degree, data["determinacy"]["proof"])
-        require(degree <= found.order, "the germ is not determined by its jet of that order")
         told.append(f"{found.first} is {degree}-determined for {problem.group}.")
         told.append(f"So the germs {pair}")
     return tuple(told)
