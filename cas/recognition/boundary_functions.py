@@ -12,7 +12,8 @@ from fractions import Fraction
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.jets_of_maps import map_jet
 from osculant.cas.recognition.forms import Form
-from osculant.cas.recognition.functions import function_kind, started
+from osculant.cas.recognition.function_kinds import function_kind
+from osculant.cas.recognition.functions import started
 from osculant.cas.recognition.levels import UNIT, Weights
 from osculant.cas.recognition.moves import Moved
 from osculant.cas.recognition.obstruction import NotEquivalent

@@ -17,9 +17,10 @@ from osculant.cas.recognition.forms import Column, Form
 from osculant.cas.recognition.jets import terms_of
 from osculant.cas.recognition.moves import Moved
 from osculant.cas.recognition.obstruction import NotEquivalent as NotEquivalent
+from osculant.cas.recognition.real_fields import sign
 from osculant.cas.recognition.reduction import Start, reduced
 from osculant.cas.recognition.refusals import proves
-from osculant.cas.recognition.roots import Root
+from osculant.cas.recognition.roots import Root, root
 from osculant.cas.recognition.scaling import Scaled, agree, exchanges, scaled
 from osculant.cas.recognition.stages import starts
 from osculant.cas.recognition.targets import TARGETS, unmoved
@@ -49,6 +50,8 @@ class Equivalence:
         order: k.
         finish: a change of the source over a real number field after φ, if the form needs one; c are what
             they are after it.
+        printed: whether it is an equivalence with the form of the list; if not, c are the coefficients of a
+            rational normal form, the scales are 1, and the signs and moduli are known by invariants.
     """
 
     form: Form
@@ -60,6 +63,7 @@ class Equivalence:
     scales: Scales
     order: int
     finish: Finish | None = None
+    printed: bool = True
 
 
 def equivalence(f: Germ, form: Form, order: int | None = None) -> Equivalence:
@@ -119,6 +123,8 @@ def _finished(form: Form, terms: Mapping[Column, Fraction], moved: Moved, begun:
     refused: NotEquivalent | None = None
     for made in begun.finish(terms):
         try:
+            if made.moduli is not None:
+                return _rational(form, made.terms, moved, made.moduli)
             for column in set(made.terms) - set(form.columns):
                 raise NotEquivalent(f"The term {column[0]} remains.", column, value=made.terms[column])
             if (over := made.field) is None:
@@ -129,6 +135,21 @@ def _finished(form: Form, terms: Mapping[Column, Fraction], moved: Moved, begun:
             refused = refused or obstruction
     assert refused is not None
     raise refused
+
+
+def _rational(
+    form: Form, terms: Mapping[Column, Any], moved: Moved, moduli: Mapping[str, Fraction | Root]
+) -> Equivalence:
+    """The equivalence with a rational normal form, of which the moduli and signs of the form are known."""
+    signs = [1] * form.signs
+    for term in form.terms:
+        if term.sign is not None and term.column in terms:
+            signs[term.sign] = sign(terms[term.column] * term.coefficient)
+    scales = Scales((root(1),) * form.n, (root(1),) * form.p)
+    target = moved.part.change(moved)
+    return Equivalence(
+        form, tuple(signs), moduli, moved.source, target, terms, scales, moved.order, printed=False
+    )
 
 
 def best(form: Form, terms: Mapping[Column, Any], moved: Moved, finish: Finish | None = None) -> Equivalence:
@@ -178,7 +199,8 @@ def verify(found: Equivalence, f: MapJet) -> None:
     made = Scaled(found.scales.source, found.scales.target, found.signs, dict(found.moduli))
     u = form.boundary
     kept = u is None or (all(m[u] for (m, j) in terms_of(found.source) if j == u) and linear[u, u] > 0)
-    if not (same and linear.det() != 0 and kept and agree(form, found.coefficients, made)):
+    scaled_right = not found.printed or agree(form, found.coefficients, made)
+    if not (same and linear.det() != 0 and kept and scaled_right):
         raise ArithmeticError(f"An equivalence with {form} that substitution refutes.")
 
 

@@ -47,10 +47,14 @@ class Finish:
 
 @dataclass(frozen=True)
 class Finished:
-    """The terms after a change of two variables, whose images are polynomials in them and a third."""
+    """The terms after a change of two variables, whose images are polynomials in them and a third.
+
+    If they are not those of the form but a rational normal form, the ``moduli`` of the form are told by name.
+    """
 
     images: tuple[Polynomial, ...]
     terms: dict[Column, Any]
+    moduli: Mapping[str, Any] | None = None
 
     @property
     def field(self) -> NumberField | None:
@@ -59,8 +63,13 @@ class Finished:
         return next((c.field for c in numbers if isinstance(c, Algebraic)), None)
 
 
-#: terms, n, the order, and the places of the two variables → what they can be made
-Finisher = Callable[[Terms, int, int, tuple[int, int]], Iterator[Finished]]
+#: terms, n, the order, and the places of the variables → what they can be made
+Finisher = Callable[[Terms, int, int, Sequence[int]], Iterator[Finished]]
+
+
+def unchanged(n: int) -> tuple[Polynomial, ...]:
+    """The images of the variables under the identity."""
+    return tuple({poly.variable(i, n): Fraction(1)} for i in range(n))
 
 
 def substituted(terms: Terms, images: Sequence[Polynomial], n: int, order: int) -> dict[Column, Any]:
@@ -82,11 +91,11 @@ def substituted(terms: Terms, images: Sequence[Polynomial], n: int, order: int) 
 
 
 def _finished(
-    terms: Terms, pair: Sequence[Mapping[tuple[int, int], Any]], n: int, order: int, places: tuple[int, int]
+    terms: Terms, pair: Sequence[Mapping[tuple[int, int], Any]], n: int, order: int, places: Sequence[int]
 ) -> Finished:
     """The terms after a change of two variables; its images by their exponents in these."""
-    images: list[Polynomial] = [{poly.variable(i, n): Fraction(1)} for i in range(n)]
-    for place, image in zip(places, pair):
+    images = list(unchanged(n))
+    for place, image in zip(places[:2], pair):
         images[place] = {
             e * poly.variable(places[0], n) + f * poly.variable(places[1], n): exact(c)
             for (e, f), c in image.items()
@@ -95,11 +104,11 @@ def _finished(
     return Finished(tuple(images), substituted(terms, images, n, order))
 
 
-def _form(terms: Terms, degree: int, places: tuple[int, int]) -> list[Fraction]:
+def _form(terms: Terms, degree: int, places: Sequence[int]) -> list[Fraction]:
     """The coefficients of the binary form of that degree, from y^d on."""
     found = [Fraction(0)] * (degree + 1)
     for (m, _), c in terms.items():
-        i, j = places
+        i, j = places[:2]
         if m[i] + m[j] == degree == sum(m):
             found[m[i]] = c
     return found
@@ -120,7 +129,7 @@ def _trimmed(form: Sequence[Fraction]) -> list[Fraction]:
     return found
 
 
-def cubic(terms: Terms, n: int, order: int, places: tuple[int, int]) -> Iterator[Finished]:
+def cubic(terms: Terms, n: int, order: int, places: Sequence[int]) -> Iterator[Finished]:
     """a·x²y + b·y³ of a binary cubic: y is a real line, x apolar to it."""
     form = _form(terms, 3, places)
     if not _discriminant(form):
@@ -140,7 +149,7 @@ def cubic(terms: Terms, n: int, order: int, places: tuple[int, int]) -> Iterator
         return
 
 
-def cubes(terms: Terms, n: int, order: int, places: tuple[int, int]) -> Iterator[Finished]:
+def cubes(terms: Terms, n: int, order: int, places: Sequence[int]) -> Iterator[Finished]:
     """a·x³ + b·y³ of a binary cubic with one real line, and z² times xy at most."""
     form = _form(terms, 3, places)
     d, c, b, a = form
@@ -151,9 +160,9 @@ def cubes(terms: Terms, n: int, order: int, places: tuple[int, int]) -> Iterator
     r, s = (-hessian[1] / hessian[2] - p, 1) if q else (-hessian[0], hessian[1])
     pair: list[dict[tuple[int, int], Any]] = [{(1, 0): p, (0, 1): r}, {(1, 0): q, (0, 1): s}]
     moved = _finished(terms, pair, n, order, places)
-    i, j = places
-    k = next(k for k in range(n) if k not in places)
-    images = [{poly.variable(v, n): Fraction(1)} for v in range(n)]
+    i, j = places[:2]
+    k = next(k for k in range(n) if k not in (i, j))
+    images = list(unchanged(n))
     for place in (i, j):
         cube = tuple(3 * int(v == place) for v in range(n))
         square = tuple(2 * int(v in (place, k)) for v in range(n))
@@ -164,9 +173,9 @@ def cubes(terms: Terms, n: int, order: int, places: tuple[int, int]) -> Iterator
     yield Finished(both, substituted(terms, both, n, order))
 
 
-def tangent_cubic(terms: Terms, n: int, order: int, places: tuple[int, int]) -> Iterator[Finished]:
+def tangent_cubic(terms: Terms, n: int, order: int, places: Sequence[int]) -> Iterator[Finished]:
     """x³ + a·x²y² ± xy⁴ of x³, xy⁴ and y⁶: x ↦ x + r·y², r the real root in the middle."""
-    i, j = places
+    i, j = places[:2]
 
     def coefficient(e: int, f: int) -> Fraction:
         m = tuple(e * int(v == i) + f * int(v == j) for v in range(n))
@@ -181,7 +190,7 @@ def tangent_cubic(terms: Terms, n: int, order: int, places: tuple[int, int]) -> 
             yield _finished(terms, [{(1, 0): 1, (0, 2): r}, {(0, 1): 1}], n, order, places)
 
 
-def quartic(terms: Terms, n: int, order: int, places: tuple[int, int]) -> Iterator[Finished]:
+def quartic(terms: Terms, n: int, order: int, places: Sequence[int]) -> Iterator[Finished]:
     """a·x⁴ + b·x²y² + c·y⁴ of a binary quartic: x and y are a pair of lines of its sextic covariant.
 
     Of several spellings it is that with a, c > 0 and, if the form is positive, b² < 4ac.

@@ -93,14 +93,14 @@ def _real_lines(form: Polynomial, n: int) -> bool:
         images = [{poly.variable(j, n): c for j, c in enumerate(row) if c} for row in basis]
         values = map_jet([form], n, 2).compose(map_jet(images, n, 2)).polynomials()[0].values()
         return corank == n - 2 and len({v > 0 for v in values}) == 2
-    determinant = _hessian_determinant(form)  # of a product of three lines a multiple of it
+    determinant = hessian_determinant(form)  # of a product of three lines a multiple of it
     terms = sorted({*form, *determinant})
     return linear.rank([[Fraction(f.get(m, 0)) for m in terms] for f in (form, determinant)], len(terms)) < 2
 
 
 def cuspidal(form: Polynomial) -> list[Row] | None:
     """(x, y, z) with form = a·x³ + b·y·z²: by the Hessian of a cuspidal cubic, which is −24abx·z²."""
-    lines, others = linear_factors(_hessian_determinant(form), 3)
+    lines, others = linear_factors(hessian_determinant(form), 3)
     double = [line for line, m in lines if m == 2]
     single = [line for line, m in lines if m == 1]
     if others or not double or not single:
@@ -219,7 +219,8 @@ def _without(form: Polynomial, i: int) -> Polynomial:
     return {m: c for m, c in form.items() if not poly.exponents_of(m, 3)[i]}
 
 
-def _hessian_determinant(form: Polynomial) -> Polynomial:
+def hessian_determinant(form: Polynomial) -> Polynomial:
+    """The determinant of the second derivatives of a ternary cubic."""
     rows = [[poly.derivative(poly.derivative(form, i, 3), j, 3) for j in range(3)] for i in range(3)]
     total: Polynomial = {}
     for i, j, k in permutations(range(3)):

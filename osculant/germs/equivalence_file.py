@@ -86,6 +86,8 @@ def equivalence_file(germ: MapGerm, found: Equivalence, determined: bool = True)
 def _form(found: Equivalence, field: NumberField | None) -> dict[str, Any]:
     """The member of the form that it is: terms whose modulus is 0 are left out."""
     form = found.form
+    if not found.printed:
+        return _rational_form(found)
     components: list[list[str]] = [[] for _ in range(form.p)]
     for term in sorted(form.terms, key=lambda t: (sum(t.monomial), [-e for e in t.monomial])):
         if term.modulus is not None and not found.moduli[term.modulus]:
@@ -105,6 +107,23 @@ def _form(found: Equivalence, field: NumberField | None) -> dict[str, Any]:
         "list": form.entry.list,
         "id": form.entry.id,
         "integers": integers,
+    }
+
+
+def _rational_form(found: Equivalence) -> dict[str, Any]:
+    """The rational normal form that it is, where the one of the list is not reached."""
+    form = found.form
+    components: list[Polynomial] = [{} for _ in range(form.p)]
+    for (m, j), c in found.coefficients.items():
+        components[j][poly.monomial(m)] = c
+    return {
+        "components": _texts(components, form.variables, None),
+        "variables": list(form.variables),
+        "boundary": None if form.boundary is None else form.variables[form.boundary],
+        "moduli": {},
+        "list": form.entry.list,
+        "id": form.entry.id,
+        "integers": dict(form.integers),
     }
 
 
