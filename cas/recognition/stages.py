@@ -19,13 +19,27 @@ from osculant.cas.recognition.reduction import Start
 
 Stage = Callable[[Moved, Form], Iterator[Start]]
 
+
+def _contact_starts(moved: Moved, form: Form) -> Iterator[Start]:
+    """Complete intersections, and simple functions, which are quasi-homogeneous: prepared as for R or R(H).
+
+    Raises UndecidedError for functions with moduli.
+    """
+    if form.p > 1:
+        return intersection_starts(moved, form)
+    if form.moduli or form.entry.list == "unimodal functions":
+        raise UndecidedError(f"No equivalences with {form} for {form.group.name} are built.")
+    return function_starts(moved, form) if form.boundary is None else boundary_starts(moved, form)
+
+
 #: by the name of the group
 STAGES: dict[str, Stage] = {
     "A": map_starts,
     "A(H)": map_starts,
     "R": function_starts,
     "R(H)": boundary_starts,
-    "K": intersection_starts,
+    "K": _contact_starts,
+    "K(H)": _contact_starts,
 }
 
 
