@@ -54,6 +54,12 @@ class Case:
     germ: random_germs.Case
     form: Form
 
+    def name(self, signs: tuple[int, ...]) -> str:
+        """List, row, parameters and signs."""
+        told = [f"{name}={value}" for name, value in self.germ.parameters]
+        told += ["".join("+" if s > 0 else "-" for s in signs)] if signs else []
+        return " ".join([f"{self.germ.entry.list}: {self.germ.entry.id}", *told])
+
     @property
     def terms(self) -> int:
         """How many terms its jets have."""
@@ -78,7 +84,7 @@ def moved(seed: int) -> tuple[Case, str, Germ]:
     case = cases()[seed % len(cases())]
     change = random_germs.Change(seed, case.form.order)
     signs = change.signs(case.germ)
-    return case, case.germ.name(signs), change.applied(case.germ.germ(signs), case.form.group.name)
+    return case, case.name(signs), change.applied(case.germ.germ(signs), case.form.group.name)
 
 
 @lru_cache(maxsize=8)
