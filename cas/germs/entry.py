@@ -67,6 +67,7 @@ class Entry:
             Milnor number, "tjurina" the codimension for K_e (for K(H)_e if there is a boundary).
         name: how the germs are called: ``{…}`` stands for a formula in the integers, or for a modulus, and
             ``±`` for the signs of the text, in their order, as many as the name tells.
+        complex: the name over ℂ, if that is not the name without signs.
         computed: the names of values that were computed here and not seen in print.
         where: formulas in the integers that must not be negative.
         rows: values of the parameters, in order, that stand for all in tests; by default all combinations of
@@ -96,6 +97,7 @@ class Entry:
     printed: str | None = None
     printed_values: Mapping[str, str] = field(default_factory=dict)
     note: str = ""
+    complex: str = ""
 
     @property
     def signs(self) -> tuple[tuple[int, ...], ...]:

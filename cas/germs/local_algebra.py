@@ -158,7 +158,7 @@ def ramification(germ: Germ, patience: Patience | None = None) -> LocalAlgebra:
     def minors(order: int) -> list[Polynomial]:
         matrix = [[poly.derivative(f, i, n) for i in range(n)] for f in germ.jet(order + 1)]
         return [
-            _determinant([[matrix[j][i] for i in columns] for j in rows], n, order)
+            determinant([[matrix[j][i] for i in columns] for j in rows], n, order)
             for rows in combinations(range(p), size)
             for columns in combinations(range(n), size)
         ]
@@ -174,7 +174,7 @@ def ramification(germ: Germ, patience: Patience | None = None) -> LocalAlgebra:
     return found
 
 
-def _determinant(matrix: Sequence[Sequence[Polynomial]], n: int, order: int) -> Polynomial:
+def determinant(matrix: Sequence[Sequence[Polynomial]], n: int, order: int) -> Polynomial:
     """By expansion along one row after the other; minors are known by the set of their columns."""
     known: dict[int, Polynomial] = {0: {0: 1}}
     for row in matrix:

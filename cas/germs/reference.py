@@ -123,6 +123,7 @@ def _entry(name: str, data: Mapping[str, Any], row: Mapping[str, Any]) -> Entry:
         printed=row.get("printed"),
         printed_values=dict(row.get("printed_values", {})),
         note=row.get("note", ""),
+        complex=row.get("complex", ""),
     )
 
 
