@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from osculant.germs.map_germ import MapGerm, germ
     from osculant.germs.map_jets import JetOfMap, map_jet
     from osculant.germs.multi import MultiMapGerm, multigerm
+    from osculant.germs.recognition import Recognised, recognise
     from osculant.germs.secants import Secant, SecantApart, secant, secant_apart
     from osculant.pieces.conics import Piece
     from osculant.spline import Spline
@@ -48,6 +49,7 @@ __all__ = [
     "OsculantError",
     "Piece",
     "PlaneCurve",
+    "Recognised",
     "RejectedError",
     "Secant",
     "SecantApart",
@@ -67,6 +69,7 @@ __all__ = [
     "map_jet",
     "multigerm",
     "preserving",
+    "recognise",
     "secant",
     "secant_apart",
     "verify",
@@ -95,6 +98,8 @@ _HOME = {
     "MultiMapGerm": "osculant.germs.multi",
     "multigerm": "osculant.germs.multi",
     "map_jet": "osculant.germs.map_jets",
+    "recognise": "osculant.germs.recognition",
+    "Recognised": "osculant.germs.recognition",
     "JetOfMap": "osculant.germs.map_jets",
     "secant": "osculant.germs.secants",
     "Secant": "osculant.germs.secants",

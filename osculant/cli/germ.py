@@ -172,11 +172,7 @@ def germ(
 
     from osculant.germs import map_germ
 
-    formulas: Any = formula.strip()
-    if formulas.startswith("@"):
-        if not formulas[1:].strip():
-            raise UsageError("The name of the file is missing after @: write for instance @germ.txt.")
-        formulas = Path(formulas[1:].strip())
+    formulas = formulas_of(formula)
     seconds = number(patience, "--patience")
     special = {
         "--preserving": preserving,
@@ -232,6 +228,20 @@ def germ(
         print("\n".join(report_latex(given, data)))
     else:
         _print(data, table, as_json)
+
+
+def formulas_of(formula: str) -> Any:
+    """The text of formulas, or the path of the file that is named after @.
+
+    >>> formulas_of(" x, y"), str(formulas_of("@germ.txt"))
+    ('x, y', 'germ.txt')
+    """
+    text = formula.strip()
+    if not text.startswith("@"):
+        return text
+    if not text[1:].strip():
+        raise UsageError("The name of the file is missing after @: write for instance @germ.txt.")
+    return Path(text[1:].strip())
 
 
 def _print(data: dict[str, Any], table: Iterable[tuple[str, str]], as_json: bool) -> None:

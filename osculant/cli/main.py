@@ -26,6 +26,7 @@ from osculant.cli.grammar import Commands, FormulaCommand
 from osculant.cli.invariants import invariants
 from osculant.cli.options import NAMES
 from osculant.cli.output import lenient, printable, tell
+from osculant.cli.recognise import recognise
 from osculant.cli.secant import secant
 from osculant.cli.tables import tables
 from osculant.cli.verify import verify
@@ -68,6 +69,7 @@ for command in (approximate, invariants, complexity, tables, verify, check, cach
 app.command("compile", cls=FormulaCommand)(compile_curve)
 app.command(cls=GermCommand)(germ)
 app.command(cls=GermCommand)(secant)
+app.command(cls=GermCommand)(recognise)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

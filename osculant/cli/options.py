@@ -29,6 +29,7 @@ NAMES = {
     "split_at": "--split-at",
     "plot()": "--plot",
     "patience": "--patience",
+    "tolerance": "--tolerance",
     "osculant.cas.claims.all_claims()": "`osculant verify --list`",
 }
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from osculant.cas.germs.search import Patience
     from osculant.cas.germs.unfolding import Unfolding
     from osculant.cas.germs.versal import Versality
+    from osculant.germs.recognition import Recognised
     from osculant.germs.solutions import Combination
 
 Size = int | Literal["infinite"]
@@ -237,6 +238,16 @@ class MapGerm:
         if k >= (last := last_order(self.exact)):
             raise UndecidedError(f"A transversal over a {k}-jet is out of reach: choose k < {last}.")
         return tuple(map(self.term, transversal(self.exact, k, self.group(group), order)))
+
+    def recognise(self, group: GroupName = None, tolerance: float | None = None) -> Recognised:
+        """The class of the germ in the lists of the literature (`osculant.germs.recognition`).
+
+        >>> germ("x, x*y + y**4 + x**3", "x y").recognise().name
+        '5'
+        """
+        from osculant.germs.recognition import recognised
+
+        return recognised(self, group, tolerance)
 
     def solve(
         self, target: Any, order: int, group: GroupName = None, version: str = "ordinary"
