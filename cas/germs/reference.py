@@ -3,8 +3,8 @@
 The lists are data files beside this module, one a list, each with its source. The text of an entry is a
 formula in which ``±`` stands for a sign (each for its own) and k, l, m, alpha, … for parameters; the values
 of an entry, such as its codimension, are formulas in the integer parameters. Values that the source does not
-print, or that were not seen in print, are marked as computed. No program decides anything by these lists: it
-is they that are computed again.
+print, or that were not seen in print, are marked as computed. Nothing in this room decides anything by these
+lists: it is they that are computed again. `osculant.cas.recognition` names germs by them.
 """
 
 from __future__ import annotations

@@ -43,6 +43,8 @@ MAPS = {
     "K": ("simple icis",),
     "A(H)": ("table 6.2",),
 }
+#: rows of one entry that are looked through at most
+MOST = 400
 #: rows by list, group, number of components, size and number of variables
 _LISTED: dict[tuple[str, str, int, int, int], tuple[Form, ...]] = {}
 #: forms made, by row, group, integers and number of variables
@@ -124,6 +126,27 @@ def _home(row: Entry) -> str:
     return "A" if row.projection is not None else row.group
 
 
+def forms_up_to(entry: Entry, order: int, n: int) -> list[Form] | None:
+    """The rows of an entry with all different jets of an order, in n variables; None if they are too many.
+
+    >>> (listing,) = catalogue("A", 2, 3)
+    >>> len(forms_up_to(listing.entries[0], 4, 2))
+    7
+    """
+    whole = [p for p in entry.parameters if p.least is not None]
+    if (order + 3) ** len(whole) > MOST:
+        return None
+    found = []
+    for steps in product(range(order + 3), repeat=len(whole)):
+        try:
+            made = _form(entry, {p.name: int(p.least or 0) + step for p, step in zip(whole, steps)}, n)
+        except DomainError:  # out of the range of the row
+            continue
+        if made is not None:
+            found.append(made)
+    return found
+
+
 def _served(row: Entry, name: str) -> Iterator[Entry]:
     """The row as one for the group; of a secant germ its projection, to spaces for which there is no list."""
     if row.projection is not None:
@@ -146,7 +169,7 @@ def _served(row: Entry, name: str) -> Iterator[Entry]:
 
 
 def _degree(text: str) -> int:
-    """The degree of the projections: they are determined by it (a claim proves that)."""
+    """The degree of the projections: they are determined by it (a test proves that)."""
     jet = Germ(text, "x y").polynomial(20)
     assert jet is not None
     return max(sum(e) for f in jet for e in _exponents(f))

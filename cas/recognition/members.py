@@ -44,6 +44,17 @@ def members(form: Form) -> Iterator[Germ]:
 _MEMBERS: dict[Form, list[Germ]] = {}
 
 
+def tried(form: Form) -> dict[str, Any]:
+    """Values of the moduli that the list tries first.
+
+    >>> from osculant.cas.germs.reference import reference
+    >>> from osculant.cas.recognition.forms import form
+    >>> tried(form(reference("mond")["P_3"]))
+    {'c': '2'}
+    """
+    return {p.name: p.tried[0] for p in form.entry.parameters if p.least is None}
+
+
 def _tried(form: Form) -> Iterator[dict[str, Any]]:
     """Values of the moduli: general ones, and those that the list tries."""
     if not form.moduli:

@@ -22,15 +22,19 @@ from osculant.cas.germs.linear import rank
 from osculant.cas.germs.search import Patience
 from osculant.cas.germs.tangent import JetSpace
 from osculant.cas.recognition.answer import Recognition
-from osculant.cas.recognition.catalogue import catalogue
+from osculant.cas.recognition.catalogue import catalogue, forms_up_to
 from osculant.cas.recognition.equivalence import Equivalence, NotEquivalent, equivalence
 from osculant.cas.recognition.forms import Form
 from osculant.cas.recognition.keys import Key, part, parts, version_of
-from osculant.cas.recognition.members import arranged, members, special_members
+from osculant.cas.recognition.members import arranged, members, special_members, tried
 from osculant.cas.recognition.names import called
 
 #: orders of jets, and their columns, in which keys are compared at most
 ORDER, COLUMNS = 40, 800
+#: seconds for the codimension of a germ that is known to be in no list
+SHORT = 1.0
+#: order of the jets by which rows are excluded
+LOW = 6
 #: columns of the jets in which equivalences are sought at most
 REACH = 3000
 #: after so many orders in each of which the codimension has grown, it is asked for as a whole
@@ -166,10 +170,12 @@ class _Question:
         return all(self._agrees(form, title) for title in parts(self.germ, self.group))
 
     def _agrees(self, form: Form, title: str) -> bool:
-        """Whether a part of the key is that of a member, in jets that tell the form."""
-        order = max(self.order, form.order)
-        if JetSpace(self.germ.n, self.germ.p, order).columns > COLUMNS:
-            order = self.order
+        """Whether a part of the key is that of a member, in these jets and in those that tell the form."""
+        return all(self._agrees_in(order, form, title) for order in sorted({self.order, form.order}))
+
+    def _agrees_in(self, order: int, form: Form, title: str) -> bool:
+        if order < self.order or JetSpace(self.germ.n, self.germ.p, order).columns > COLUMNS:
+            return True
         try:
             mine = part(self.germ, self.group, title, order)
             return any(part(member, self.group, title, order) == mine for member in members(form))
@@ -183,10 +189,15 @@ class _Question:
             return self._none(f"Its codimension is {sizes[self.order]} or more, beyond the lists.")
         if self.size is None:
             extended = version_of(self.germ, self.group) is Version.EXTENDED
-            left = Patience(max(self.patience.left(), 0.0))
+            apart = self._apart()
+            left = max(self.patience.left(), 0.0)
             try:
-                whole = codimension(self.germ, self.group, extended, left)
+                whole = codimension(
+                    self.germ, self.group, extended, Patience(min(left, SHORT) if apart else left)
+                )
             except UndecidedError as error:
+                if apart:
+                    return self._none("No class has the codimensions of its jets of low orders.")
                 return self._none(f"No class was found, and {_lowered(error)}", undecided=True)
             if not isinstance(whole.value, int):
                 return self._none(f"Its codimension is infinite: {whole.proof}.", size=whole.value)
@@ -201,6 +212,26 @@ class _Question:
         return self._none(
             f"Every class of {names} with its codimension, if there is one, is another.", size=self.size
         )
+
+    def _apart(self) -> bool:
+        """Whether the codimensions in the jets already exclude every row, whatever its integers.
+
+        Integers are exponents: rows with larger ones than the order have the same jets.
+        """
+        order = min(self.order, LOW)
+        mine = part(self.germ, self.group, "orbit", order)
+        for listing in self.listings:
+            for entry in listing.entries:
+                rows = forms_up_to(entry, order, self.germ.n)
+                if rows is None:
+                    return False
+                for form in rows:
+                    if special_members(form):
+                        if mine[-1] <= entry.value(listing.size, **dict(form.integers), **tried(form)):
+                            return False
+                    elif any(part(m, self.group, "orbit", order) == mine for m in members(form)):
+                        return False
+        return True
 
     def _by_key(self) -> Recognition | None:
         """A function with the key of rows of one name over ℂ, to one of which no equivalence is built."""

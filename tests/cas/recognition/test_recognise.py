@@ -6,6 +6,7 @@ import pytest
 
 from osculant.cas.errors import DomainError
 from osculant.cas.germs.codimension import codimension
+from osculant.cas.germs.determinacy import determinacy
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.reference import NAMES, reference
 from osculant.cas.germs.search import Patience
@@ -188,6 +189,13 @@ def test_signs_that_no_list_prints_are_seen_by_parity():
     assert printed(form(reference("unimodal functions")["X_9"]), (1, -1), {"a": "1/2"}) == (
         "x**4 - y**4 + (1/2)*x**2*y**2",
     )
+
+
+def test_projections_of_table_6_1_are_determined_by_their_degree():
+    for entry in listed("table 6.1"):
+        germ = entry.germ()
+        assert determinacy(germ, "A").degree == entry.value("determinacy")
+        assert codimension(germ, "A").value == entry.value("cod")
 
 
 def test_table_6_1_is_read_by_the_classes_of_table_6_2():
