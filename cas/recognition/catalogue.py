@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import product
 
-from osculant.cas.errors import DomainError
+from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs.entry import Entry, Value
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, group
 from osculant.cas.germs.reference import reference
-from osculant.cas.recognition.forms import Form, form, stabilised
+from osculant.cas.recognition.forms import DEGREE, Form, form, stabilised
 
 #: lists of functions by group, and which value of a row is dim θ/T G_e f
 FUNCTIONS = {
@@ -65,6 +65,8 @@ class Listing:
 
     def forms(self, size: int, n: int) -> tuple[Form, ...]:
         """The rows, with their integers fixed, whose orbits have that size, for germs of n variables.
+
+        Raises UndecidedError if one has a degree that is out of reach.
 
         >>> (listing,) = catalogue("A", 2, 3)
         >>> [str(found) for found in listing.forms(4, 2)]
@@ -187,10 +189,16 @@ def _target(entry: Entry) -> int:
 
 
 def _form(entry: Entry, integers: Mapping[str, int], n: int) -> Form | None:
-    """The form in n variables; None if it needs more."""
+    """The form in n variables; None if it needs more. UndecidedError for one of a degree beyond reach."""
     known = entry.list, entry.id, entry.group, tuple(integers.items()), n
     if known not in _FORMS:
-        found = form(entry, **integers)
+        moduli: dict[str, Value] = {p.name: p.tried[0] for p in entry.parameters if p.least is None}
+        if (degree := entry.value("determinacy", **integers, **moduli)) > DEGREE:
+            raise UndecidedError(f"{entry.id} of {entry.list} of degree {degree} is out of reach.")
+        try:
+            found = form(entry, **integers)
+        except DomainError as error:
+            raise UndecidedError(str(error)) from None
         try:
             _FORMS[known] = found if found.n == n or found.p > 1 else stabilised(found, n)
         except DomainError:

@@ -80,13 +80,17 @@ class _Question:
         self.listings = catalogue(self.group, self.germ.n, self.germ.p)
         if not self.listings:
             return self._none(
-                f"There is no list for {self.group.name} of germs of {self.germ.n} variables with "
+                f"There is no list for {self.group.name} of germs of {self.germ.n} variable"
+                f"{'s' * (self.germ.n > 1)} with "
                 f"{self.germ.p} component{'s' * (self.germ.p > 1)}."
             )
         regular = _regular(self.germ, self.group)
         if regular is not None:
             return self._none(regular, size=0)
-        return self._met() or self._refused()
+        try:
+            return self._met() or self._refused()
+        except UndecidedError as error:
+            return self._none(str(error), undecided=True)
 
     def _met(self) -> Recognition | None:
         """The class that is found on the way up the orders of jets, as long as they are cheap.

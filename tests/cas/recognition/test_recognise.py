@@ -152,6 +152,12 @@ def test_without_time_it_is_undecided_and_never_a_name():
     assert (found.name, found.undecided) == (None, True)
 
 
+def test_degrees_out_of_reach_are_undecided():
+    found = recognise(Germ("x**100 + y**2", "x y"))
+    assert (found.name, found.undecided) == (None, True) and "degree 100 is out of reach" in found.reason
+    assert recognise(Germ("x**41 + y**2", "x y")).name == "A40"
+
+
 def test_functions_without_an_equivalence_are_named_over_the_complex_numbers():
     found = recognise(Germ("x**3 + sqrt(2)*x*y**2", "x y"))
     assert (found.name, found.complex, found.equivalence, found.codimension) == ("D4", "D4", None, 5)
