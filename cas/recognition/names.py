@@ -42,7 +42,7 @@ def called(form: Form, signs: Sequence[int] | None, moduli: Mapping[str, Any] | 
     for i, part in enumerate(rest):
         if signs is not None and seen[i]:
             text += "+" if signs[i] > 0 else "-"
-        elif part[:1].isdigit():
+        elif part[:1].isdigit() or part.startswith("{"):
             text += "+"  # it parts two exponents
         text += part
     values: dict[str, Any] = dict(form.integers)
