@@ -11,12 +11,12 @@ from collections.abc import Callable, Sequence
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.algebraic import NumberField
 from osculant.cas.germs.annihilator import Functional, annihilator
-from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version
 from osculant.cas.germs.linear import echelon
 from osculant.cas.germs.polynomials import Polynomial
 from osculant.cas.germs.tangent import JetSpace
+from osculant.cas.germs.tangent_space import tangent
 
 #: generators(k): an ideal's generators, cut above degree k
 Generators = Callable[[int], Sequence[Polynomial]]

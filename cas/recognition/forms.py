@@ -10,7 +10,8 @@ from functools import cached_property
 from osculant.cas.errors import DomainError
 from osculant.cas.germs import groups
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.entry import BOUNDARY, Entry, instance
+from osculant.cas.germs.entry import Entry, instance
+from osculant.cas.germs.even import BOUNDARY
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group
 

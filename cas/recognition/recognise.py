@@ -15,12 +15,13 @@ from typing import Literal
 from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.algebraic import exact
-from osculant.cas.germs.codimension import codimension, tangent
+from osculant.cas.germs.codimension import codimension
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version, group
 from osculant.cas.germs.linear import rank
 from osculant.cas.germs.search import Patience
 from osculant.cas.germs.tangent import JetSpace
+from osculant.cas.germs.tangent_space import tangent
 from osculant.cas.recognition.answer import Recognition
 from osculant.cas.recognition.catalogue import catalogue, forms_up_to
 from osculant.cas.recognition.equivalence import Equivalence, NotEquivalent, equivalence

@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, Any
 
 from osculant.cas.errors import DomainError
 from osculant.cas.germs import polynomials as poly
-from osculant.cas.germs.codimension import tangent
 from osculant.cas.germs.expansion import as_node
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version
 from osculant.cas.germs.tangent import JetSpace, spanning
+from osculant.cas.germs.tangent_space import tangent
 
 if TYPE_CHECKING:
     import numpy as np
