@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from osculant.cli.germ import MARGIN, At, Boundary, GroupOption, Patience, Root, Source, formulas_of
+from osculant.cli.germ import MARGIN, At, Boundary, Even, GroupOption, Patience, Root, Source, formulas_of
 from osculant.cli.germ_rows import head
 from osculant.cli.grammar import UsageError
 from osculant.cli.options import AsJson, number
@@ -52,6 +52,7 @@ def recognise(
     boundary: Boundary = None,
     at: At = None,
     root: Root = None,
+    even: Even = None,
     equivalence: WithEquivalence = False,
     certificate: Certificate = False,
     tolerance: Tolerance = None,
@@ -65,6 +66,7 @@ def recognise(
     """
     if name is not None:
         given = {"--source": source, "--group": group, "--boundary": boundary, "--at": at, "--root": root}
+        given["--even"] = even
         _show_list(
             name,
             {
@@ -95,6 +97,7 @@ def recognise(
             tolerance=width,
             at=at,
             root=root,
+            even=even,
             patience=seconds,
         )
         data = found.certificate() if certificate else found.told()

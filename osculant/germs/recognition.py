@@ -5,19 +5,19 @@ of a list, on jets of the order to which the row is determined. "On none of the 
 every row is excluded. Else it is undecided.
 
 Plain data (``version`` 1): the germ as in `osculant.germs.report`: ``source``, ``target``, ``components``,
-``boundary``, ``group``, ``at``; ``lists``: those that were looked through; ``name``: of the real class, with
-signs and moduli, ``complex``: of the class over ℂ; ``table`` and ``id``: the row of a list, with its
-``integers``; ``normal_form``: texts of components in ``variables``; ``signs``: ±1 by the first monomial that
-each governs; ``moduli``: their values as text; ``codimension``: of T G f in Mθ, a number or "infinite", null
-where it is not known; ``determinacy``: the degree to which the row is determined; ``proof``: "equivalence";
-"key" for a function of a row to which no equivalence is built (``reason`` tells that; ``normal_form``,
-``signs`` and ``moduli`` are null then), null without a name; ``key``: parts that were computed
-(`osculant.cas.recognition.keys`), each a list of numbers by the order of jets; ``reason``: why there is no
-name; ``undecided``: whether there may be one, and then ``alike``: names that are not excluded; ``unused``:
-source variables on which the germ does not depend; ``secants``: of a class of table 6.2, the rows of table
-6.1 whose secant germs have it. With a tolerance: ``tolerance``; ``nearby``: the germ that
-was recognised; ``margin``: the smallest singular value ``kept``, the largest ``dropped``, and the ``noise``
-(`osculant.germs.rounded.Margin`). What a germ without a name has not is null. With
+``boundary``, ``group``, ``at``, ``even``; ``lists``: those that were looked through; ``name``: of the real
+class, with signs and moduli, ``complex``: of the class over ℂ; ``table`` and ``id``: the row of a list,
+with its ``integers``; ``normal_form``: texts of components in ``variables``; ``signs``: ±1 by the first
+monomial that each governs; ``moduli``: their values as text; ``codimension``: of T G f in Mθ, a number or
+"infinite", null where it is not known; ``determinacy``: the degree to which the row is determined;
+``proof``: "equivalence"; "key" for a function of a row to which no equivalence is built (``reason`` tells
+that; ``normal_form``, ``signs`` and ``moduli`` are null then), null without a name; ``key``: parts that
+were computed (`osculant.cas.recognition.keys`), each a list of numbers by the order of jets; ``reason``:
+why there is no name; ``undecided``: whether there may be one, and then ``alike``: names that are not
+excluded; ``unused``: source variables on which the germ does not depend; ``secants``: of a class of table
+6.2, the rows of table 6.1 whose secant germs have it. With a tolerance: ``tolerance``; ``nearby``: the germ
+that was recognised; ``margin``: the smallest singular value ``kept``, the largest ``dropped``, and the
+``noise`` (`osculant.germs.rounded.Margin`). What a germ without a name has not is null. With
 ``equivalence`` it is as in `osculant.germs.equivalence_file`, of jets alone.
 """
 
@@ -31,6 +31,7 @@ from osculant.cas.formulas.expression import to_text
 from osculant.cas.formulas.graph import variables
 from osculant.cas.recognition.answer import Recognition
 from osculant.cas.recognition.names import printed, sign_names
+from osculant.germs.even import even_data
 from osculant.germs.map_germ import GroupName, MapGerm, germ
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def recognise(
         tolerance: to which coefficients that are not integers are known. Then the germ nearby with the
             simplest fractions is recognised, and ranks must be the same for all germs within the tolerance,
             with a margin (`osculant.germs.rounded`); else it is undecided.
-        **options: ``at``, ``patience`` and ``root`` of `osculant.germ`.
+        **options: ``at``, ``patience``, ``root`` and ``even`` of `osculant.germ`.
 
     Errors are those of `osculant.germ`; DomainError too for a group that does not exist, and for an (H) group
     without a boundary variable. What is not decided in time is told to be undecided.
@@ -220,6 +221,8 @@ class Recognised:
         }
         if self.germ.at is not None:
             told["at"] = list(self.germ.at)
+        if self.germ.even is not None:
+            told["even"] = even_data(self.germ, found.group)
         if self.tolerance is not None:
             told["tolerance"] = self.tolerance
             told["nearby"] = [to_text(node) for node in found.germ.components]

@@ -72,6 +72,8 @@ def test_options(capsys, tmp_path):
     unused = told(capsys, "x1, x2", "--source", "x1 x2 x3 u")
     assert (unused["name"], unused["unused"]) == ("2a", ["x3", "u"])
     assert "unused variables      x3 u" in answer(capsys, "x1, x2", "--source", "x1 x2 x3 u")
+    even = told(capsys, "v, x, lam^4 + v*lam^2 - y^2", "--source", "x y lam v", "--even", "lam")
+    assert (even["name"], even["group"], even["even"]["variable"]) == ("3d-", "A(H)", "lam")
     slow = told(capsys, "x, y^2, x^4*y + y^7 + x^2*y^5", "--source", "x y", "--patience", "0.001")
     assert slow["undecided"] and slow["name"] is None
 
