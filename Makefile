@@ -3,6 +3,8 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; 
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 BIN := .venv/bin
 READY := .venv/.ready
+# tests run side by side: numpy's own threads would wait for each other
+export OPENBLAS_NUM_THREADS ?= 1
 
 .PHONY: demo test lint generate bench notebooks picture clean
 

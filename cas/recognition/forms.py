@@ -63,7 +63,8 @@ class Form:
         order: the degree of determinacy of the row.
         signs: how many ± there are, those of squares that were added included.
 
-    Two forms are equal if they are the same row with the same integers, variables and number of components.
+    Two forms are equal if they are the same row for one group, with the same integers, variables and number
+    of components.
 
     >>> from osculant.cas.germs.reference import reference
     >>> found = form(reference("rieger")["4_k"], k=2)

@@ -85,6 +85,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     command = printable(shlex.join(["osculant", *arguments]))
     lenient()
+    # Matrices of germs are small: threads of numpy, which is not loaded yet, would wait for each other.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         status = app(args=arguments, prog_name="osculant", standalone_mode=False, obj=command)
         print(end="", flush=True)  # a closed pipe or a full disk shall be seen here, not at exit

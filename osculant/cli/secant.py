@@ -168,6 +168,8 @@ def answers(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
         if isinstance(value, bool):
             told = ("no", "yes")[value]
         yield f"  {key.replace('_', ' ')}", told
+    if data.get("name") is not None:
+        yield "  class", f"{data['name']} of {data['table']}"
 
 
 def _frenet_rows(data: dict[str, Any] | None) -> Iterator[tuple[str, str]]:

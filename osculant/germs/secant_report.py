@@ -5,7 +5,8 @@ Of a germ at the diagonal: ``kind`` "secant" and ``version`` 1; ``immersion`` (c
 immersion in normal position is p ↦ C·(X(a + B·p) − X(a)); ``order``: that of the jets in which the germ is
 known, null if it is whole, and ``settled``: whether it is whole or determined for A(H) by these jets;
 ``germ``: the answers about f for A(H), ``projection``: those about the projection along the direction for A,
-both as `osculant.germs.report` has them; ``linked``: the degree up to which Remark 6.2.3, which links the
+both as `osculant.germs.report` has them, with ``name`` and ``table``: the class in the lists of the
+literature and the list, null without one; ``linked``: the degree up to which Remark 6.2.3, which links the
 two, was checked; if it is asked for, ``variety``: the answers about the germ of the secant variety for A(H);
 for a curve in space ``frenet``: the exact ``curvature``, ``torsion``, ``curvature_slope``, ``torsion_slope``,
 ``torsion_second``, the ``condition`` 3κτ″ − κ′τ′ and the ``case`` of Proposition 1.4.5, by arc length; null
@@ -29,6 +30,7 @@ from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.expression import to_text
 from osculant.germs.even import even_data
 from osculant.germs.report import report
+from osculant.germs.secants import UNSETTLED
 
 if TYPE_CHECKING:
     from osculant.germs.map_germ import MapGerm
@@ -71,12 +73,10 @@ def secant_report(
         "target_frame": target_frame,
         "order": secant.order,
         "settled": secant.settled,
-        "germ": report(secant.germ, "A(H)", within(0))
+        "germ": {**report(secant.germ, "A(H)", within(0)), **_named(secant.germ, "A(H)")}
         if secant.settled
-        else _unsettled(
-            secant.germ, f"Jets of order {secant.order} do not determine the germ: ask for a higher order."
-        ),
-        "projection": report(secant.projection, "A", within(1)),
+        else {**_unsettled(secant.germ, UNSETTLED.format(order=secant.order)), "name": None, "table": None},
+        "projection": {**report(secant.projection, "A", within(1)), **_named(secant.projection, "A")},
         "linked": secant.linked(),
     }
     if variety:
@@ -93,6 +93,12 @@ def secant_report(
     if (immersion.n, immersion.germ.p) == (1, 3):
         data["frenet"] = _frenet(secant)
     return data
+
+
+def _named(germ: MapGerm, group: str) -> dict[str, str | None]:
+    """The class of a germ in the lists: its name and the list, both null without one."""
+    found = germ.recognise(group)
+    return {"name": found.name, "table": found.table}
 
 
 def _unsettled(germ: MapGerm, reason: str) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
-from osculant.cas.errors import DomainError
+from osculant.cas.errors import DomainError, UndecidedError
 from osculant.cas.formulas.expression import ONE, ZERO, to_text
 from osculant.cas.germs import secants
 from osculant.cas.germs.immersions import Immersion
@@ -20,8 +20,11 @@ from osculant.germs.reading import components_of, constants_of, names_of
 if TYPE_CHECKING:
     from osculant.cas.germs.frenet import Frenet
     from osculant.cas.germs.versal import Versality
+    from osculant.germs.recognition import Recognised
 
 Size = int | Literal["infinite"]
+#: why there are no answers about a germ of which jets alone are known
+UNSETTLED = "Jets of order {order} do not determine the germ: ask for a higher order."
 
 
 def secant(
@@ -116,6 +119,18 @@ class Secant:
     def projection(self) -> MapGerm:
         """X after the projection along dX(w), of p."""
         return MapGerm(self.exact.immersion.projection, self.seconds)
+
+    def recognise(self) -> Recognised:
+        """The class of the germ for A(H) in the lists of the literature, as `MapGerm.recognise` has it.
+
+        Raises UndecidedError where jets do not settle the germ.
+
+        >>> secant("x, y, x^3 + x*y^2 + y^2", "x y", direction="1, 0").recognise().name
+        '2b++'
+        """
+        if not self.settled:
+            raise UndecidedError(UNSETTLED.format(order=self.order))
+        return self.germ.recognise("A(H)")
 
     def linked(self) -> int:
         """Check that p₁·h₀·S is the projection where p̄ = p, λ = p₁, vᵢ = pᵢ/p₁ (Remark 6.2.3).

@@ -13,6 +13,7 @@ from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.reference import reference
 from osculant.cas.germs.secants import secant
 from osculant.cas.germs.unfolding import is_stable
+from osculant.cas.recognition.recognise import recognise
 
 ROWS = [(entry, *chosen) for entry in reference("table 6.1").entries for chosen in entry.tried()]
 #: seeds for each row, and how many of them at least give generic surfaces
@@ -33,6 +34,8 @@ def in_class(row, seed: int) -> bool:
     assert codimension(found.germ, "A(H)").value == entry.value("cod", **parameters)
     assert determinacy(found.germ, "A(H)").degree == order
     assert key(found.germ) == key(entry.germ(chosen, **parameters))
+    name = recognise(entry.germ(chosen, **parameters), "A(H)").name
+    assert name is not None and recognise(found.germ, "A(H)").name == name
     return True
 
 
