@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from osculant.compiled.approximator import compile_approximator, compile_evaluator
     from osculant.curves.plane import PlaneCurve
     from osculant.curves.space import SpaceCurve
+    from osculant.germs.classification import Classification, classify
     from osculant.germs.families import GermFamily, germ_family
     from osculant.germs.hypersurface import preserving
     from osculant.germs.map_germ import MapGerm, germ
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from osculant.thesis.verification import Verification, verify
 
 __all__ = [
+    "Classification",
     "Complexity",
     "DomainError",
     "FormulaError",
@@ -60,6 +62,7 @@ __all__ = [
     "Verification",
     "approximate",
     "check",
+    "classify",
     "compile_approximator",
     "compile_evaluator",
     "complexity",
@@ -89,6 +92,8 @@ _HOME = {
     "Piece": "osculant.pieces.conics",
     "verify": "osculant.thesis.verification",
     "germ": "osculant.germs.map_germ",
+    "classify": "osculant.germs.classification",
+    "Classification": "osculant.germs.classification",
     "check": "osculant.certificates.checker",
     "RejectedError": "osculant.certificates.check_algebra",
     "MapGerm": "osculant.germs.map_germ",

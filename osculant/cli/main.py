@@ -19,6 +19,7 @@ from osculant.cas.errors import OsculantError
 from osculant.cli.approximate import approximate
 from osculant.cli.cache import cache
 from osculant.cli.check import check
+from osculant.cli.classify import classify
 from osculant.cli.compile import compile_curve
 from osculant.cli.complexity import complexity
 from osculant.cli.germ import GermCommand, germ
@@ -64,7 +65,7 @@ def _door(
         print(context.get_help())
 
 
-for command in (approximate, invariants, complexity, tables, verify, check, cache):
+for command in (approximate, invariants, complexity, classify, tables, verify, check, cache):
     app.command(cls=FormulaCommand)(command)
 app.command("compile", cls=FormulaCommand)(compile_curve)
 app.command(cls=GermCommand)(germ)

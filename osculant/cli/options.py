@@ -30,6 +30,10 @@ NAMES = {
     "plot()": "--plot",
     "patience": "--patience",
     "tolerance": "--tolerance",
+    "source": "--source",
+    "target": "--target",
+    "group": "--group",
+    "codimension": "--codimension",
     "osculant.cas.claims.all_claims()": "`osculant verify --list`",
 }
 
