@@ -56,13 +56,7 @@ def local_algebra(
     search = Search(n, 1, geometry, patience)
     for order in search.orders():
         space = JetSpace(n, 1, order)
-        place = space.place()
-        spanning = []
-        for f in generators(order):
-            for m in poly.monomials(n, order):
-                row = space.row((poly.times(f, {m: 1}, n, order),), place)
-                if row:
-                    spanning.append(row)
+        spanning = multiples(generators(order), space)
         found = annihilator(spanning, space.columns, field)
         depth = max((space.degree(c) for f in found.functionals for c in f), default=-1)
         if order > depth:
@@ -74,6 +68,19 @@ def local_algebra(
     raise UndecidedError(
         f"The dimension of the {what} does not settle in jets of order {search.order}: it may be infinite."
     )
+
+
+def multiples(generators: Sequence[Polynomial], space: JetSpace) -> list[dict[int, Any]]:
+    """Rows of jets that span an ideal modulo those of higher order: its generators times all monomials.
+
+    >>> multiples([{poly.variable(0, 1): 1}], JetSpace(1, 1, 2))
+    [{1: 1}, {2: 1}]
+    """
+    n, place = space.n, space.place()
+    products = (
+        poly.times(f, {m: 1}, n, space.order) for f in generators for m in poly.monomials(n, space.order)
+    )
+    return [row for product in products if (row := space.row((product,), place))]
 
 
 def _hilbert(

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.algebraic import NumberField
 from osculant.cas.germs.annihilator import Functional, annihilator
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, Version
 from osculant.cas.germs.linear import echelon
+from osculant.cas.germs.local_algebra import multiples
 from osculant.cas.germs.polynomials import Polynomial
 from osculant.cas.germs.tangent import JetSpace
 from osculant.cas.germs.tangent_space import tangent
@@ -56,17 +56,11 @@ def ideal_dimensions(
 ) -> tuple[int, ...]:
     """dim O/(I + M^{i+1}) for i = 0, …, order; exact.
 
+    >>> from osculant.cas.germs import polynomials as poly
     >>> x, y = poly.variable(0, 2), poly.variable(1, 2)
     >>> ideal_dimensions(lambda k: [{2 * x: 1}, {x + y: 1}], 2, 3)
     (1, 3, 4, 5)
     """
     space = JetSpace(n, 1, order)
-    place = space.place()
-    rows = []
-    for f in generators(order):
-        for m in poly.monomials(n, order):
-            row = space.row((poly.times(f, {m: 1}, n, order),), place)
-            if row:
-                rows.append(row)
-    found = annihilator(rows, space.columns, field)
+    found = annihilator(multiples(generators(order), space), space.columns, field)
     return dimensions(found.functionals, space)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -13,7 +12,7 @@ import typer
 from osculant.cli import germ_kinds
 from osculant.cli.germ_rows import certificate_rows, head, listed, rows, versality_rows
 from osculant.cli.grammar import FormulaCommand, UsageError
-from osculant.cli.options import AsJson, number, whole_number
+from osculant.cli.options import AsJson, formulas_of, number, whole_number
 from osculant.cli.output import WIDEST, Waiting, output_width, print_json, print_rows
 
 if TYPE_CHECKING:
@@ -228,20 +227,6 @@ def germ(
         print("\n".join(report_latex(given, data)))
     else:
         _print(data, table, as_json)
-
-
-def formulas_of(formula: str) -> Any:
-    """The text of formulas, or the path of the file that is named after @.
-
-    >>> formulas_of(" x, y"), str(formulas_of("@germ.txt"))
-    ('x, y', 'germ.txt')
-    """
-    text = formula.strip()
-    if not text.startswith("@"):
-        return text
-    if not text[1:].strip():
-        raise UsageError("The name of the file is missing after @: write for instance @germ.txt.")
-    return Path(text[1:].strip())
 
 
 def _print(data: dict[str, Any], table: Iterable[tuple[str, str]], as_json: bool) -> None:

@@ -168,3 +168,17 @@ def dashed(name: str) -> str:
     '--largest-angle'
     """
     return f"--{name.replace('_', '-')}"
+
+
+def formulas_of(formula: str) -> Any:
+    """The text of formulas, or the path of the file that is named after @; UsageError without a name.
+
+    >>> formulas_of(" x, y"), str(formulas_of("@germ.txt"))
+    ('x, y', 'germ.txt')
+    """
+    text = formula.strip()
+    if not text.startswith("@"):
+        return text
+    if not text[1:].strip():
+        raise UsageError("The name of the file is missing after @: write for instance @germ.txt.")
+    return Path(text[1:].strip())

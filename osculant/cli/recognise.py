@@ -8,10 +8,10 @@ from typing import Annotated, Any
 
 import typer
 
-from osculant.cli.germ import MARGIN, At, Boundary, Even, GroupOption, Patience, Root, Source, formulas_of
+from osculant.cli.germ import MARGIN, At, Boundary, Even, GroupOption, Patience, Root, Source
 from osculant.cli.germ_rows import head
 from osculant.cli.grammar import UsageError
-from osculant.cli.options import AsJson, number
+from osculant.cli.options import AsJson, formulas_of, number
 from osculant.cli.output import WIDEST, Waiting, output_width, print_json, print_rows
 
 Formulas = Annotated[

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -12,7 +11,7 @@ import typer
 from osculant.cli.germ import MARGIN, Patience, Source
 from osculant.cli.germ_rows import listed
 from osculant.cli.grammar import UsageError
-from osculant.cli.options import AsJson, number, whole_number
+from osculant.cli.options import AsJson, formulas_of, number, whole_number
 from osculant.cli.output import WIDEST, Waiting, output_width, print_json, print_rows
 
 Immersion = Annotated[
@@ -94,11 +93,7 @@ def secant(
 
     from osculant.germs import secant_report, secants
 
-    formulas: Any = formula.strip()
-    if formulas.startswith("@"):
-        if not formulas[1:].strip():
-            raise UsageError("The name of the file is missing after @: write for instance @surface.txt.")
-        formulas = Path(formulas[1:].strip())
+    formulas = formulas_of(formula)
     seconds = number(patience, "--patience")
     with Waiting("computing") as progress:
         if to is not None:
