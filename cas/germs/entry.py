@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import product
+from math import prod
 
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.parser import parse_constant
@@ -27,15 +28,21 @@ _BRACES = re.compile(r"\{([^{}]*)\}")
 class Parameter:
     """A parameter of a family: an integer with a ``least`` value, or a modulus (a rational number).
 
-    ``tried`` are values that stand for all in tests, ``excluded`` the values where the family degenerates.
+    ``tried`` are values that stand for all in tests, ``excluded`` the values where the family degenerates,
+    and ``excluded_plus`` those where it does if the product of its signs is +.
     """
 
     name: str
     least: int | None
     tried: tuple[Value, ...]
     excluded: tuple[Fraction, ...] = ()
+    excluded_plus: tuple[Fraction, ...] = ()
 
-    def text(self, value: Value, family: str) -> str:
+    def degenerate(self, signs: Sequence[int] | None) -> tuple[Fraction, ...]:
+        """The values where the family with these signs degenerates; for None with any signs."""
+        return self.excluded + (self.excluded_plus if signs is not None and prod(signs) > 0 else ())
+
+    def text(self, value: Value, family: str, signs: Sequence[int] | None = None) -> str:
         """A value as a formula; raises DomainError for one that the parameter of that family cannot have."""
         try:
             number = Fraction(value)
@@ -46,7 +53,7 @@ class Parameter:
                 f"{self.name} = {value} is out of the range of {family}: choose an integer from {self.least} "
                 "on."
             )
-        if number in self.excluded:
+        if number in self.degenerate(signs):
             raise DomainError(f"{family} degenerates at {self.name} = {value}: choose another value.")
         return f"({number})"
 
@@ -114,7 +121,7 @@ class Entry:
         >>> reference("mond")["S_k"].formula((-1,), k=1)
         'x, y**2, y**3 - x**((1) + 1)*y'
         """
-        return instance(self.text, signs, self._texts(parameters))
+        return instance(self.text, signs, self._texts(parameters, signs or ()))
 
     def called(self, signs: Sequence[int] | None = None, **parameters: Value) -> str:
         """The name of one germ of the family; raises DomainError as `formula` does.
@@ -123,7 +130,7 @@ class Entry:
         >>> reference("mond")["S_k"].called((-1,), k=2), reference("rieger")["8"].called(alpha="2/4")
         ('S2-', '8+(1/2)')
         """
-        texts = self._texts(parameters)
+        texts = self._texts(parameters, signs or ())
         instance(self.text, signs, texts)  # refuses wrong signs
         shown = ["+" if s > 0 else "-" for s in signs or (1,) * self.text.count("±")]
         parts = self.name.split("±")
@@ -203,13 +210,13 @@ class Entry:
             for signs in self.signs:
                 yield signs, dict(zip(names, values))
 
-    def _texts(self, parameters: Mapping[str, Value]) -> dict[str, str]:
+    def _texts(self, parameters: Mapping[str, Value], signs: Sequence[int] | None = None) -> dict[str, str]:
         names = [p.name for p in self.parameters]
         if sorted(parameters) != sorted(names):
             wanted = ", ".join(names) if names else "no parameters"
             given = ", ".join(parameters) if parameters else "none"
             raise DomainError(f"{self.id} of {self.list} takes {wanted}; given: {given}.")
-        texts = {p.name: p.text(parameters[p.name], self.id) for p in self.parameters}
+        texts = {p.name: p.text(parameters[p.name], self.id, signs) for p in self.parameters}
         for condition in self.where:
             if _constant(condition, texts) < 0:
                 given = ", ".join(f"{name} = {value}" for name, value in parameters.items())

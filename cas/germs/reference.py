@@ -129,4 +129,5 @@ def _entry(name: str, data: Mapping[str, Any], row: Mapping[str, Any]) -> Entry:
 
 def _parameter(name: str, data: Mapping[str, Any]) -> Parameter:
     least = data.get("least")
-    return Parameter(name, least, tuple(data["tried"]), tuple(map(Fraction, data.get("excluded", ()))))
+    excluded = (tuple(map(Fraction, data.get(key, ()))) for key in ("excluded", "excluded_plus"))
+    return Parameter(name, least, tuple(data["tried"]), *excluded)

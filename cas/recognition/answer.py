@@ -53,8 +53,14 @@ class Recognition:
 
     @property
     def complex(self) -> str | None:
-        """The name of the class over ℂ."""
+        """The name of the class over ℂ; with the values of moduli where those of the real class are its own.
+
+        Where a sign is −, the form that is all + has other moduli, and their names stand there.
+        """
         if self.form is None:
             return None
-        real = self.equivalence is None or self.form.entry.complex  # moduli of another normal form
-        return called(self.form, None, None if real or self.equivalence is None else self.equivalence.moduli)
+        found = self.equivalence
+        if found is None or self.form.entry.complex:  # moduli of another normal form
+            return called(self.form, None, None)
+        own = all(s > 0 for s in found.signs) or not any(found.moduli.values())
+        return called(self.form, None, found.moduli if own else None)

@@ -63,7 +63,7 @@ def scaled(form: Form, found: Coefficients, target: bool) -> Scaled:
             value = found.get(term.column, Fraction(0)) / term.coefficient
             moduli[term.modulus] = (_made(term, source, theirs) * _root(value)).value if value else value
     for parameter in form.entry.parameters:
-        if moduli.get(parameter.name) in parameter.excluded:
+        if moduli.get(parameter.name) in parameter.degenerate(signs):
             raise NotEquivalent(f"{parameter.name} = {moduli[parameter.name]}, where {form} degenerates.")
     return Scaled(tuple(source), tuple(theirs), signs, moduli)
 
@@ -96,13 +96,11 @@ def exchanges(form: Form) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
     [((0, 1, 2, 3), (0, 1)), ((0, 2, 1, 3), (0, 1))]
     """
     rows = [
-        frozenset((t.monomial, t.coefficient, t.modulus) for t in form.core if t.component == j)
-        for j in range(form.p)
+        frozenset((t.monomial, t.coefficient) for t in form.core if t.component == j) for j in range(form.p)
     ]
     for order in _permutations(form):
         moved = [
-            frozenset((tuple(m[order.index(i)] for i in range(form.n)), c, a) for m, c, a in row)
-            for row in rows
+            frozenset((tuple(m[order.index(i)] for i in range(form.n)), c) for m, c in row) for row in rows
         ]
         if sorted(map(sorted, moved), key=str) == sorted(map(sorted, rows), key=str):
             free, theirs = list(range(form.p)), []

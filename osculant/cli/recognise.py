@@ -132,7 +132,9 @@ def rows(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
         if data["normal_form"] is not None:
             yield "normal form", ", ".join(data["normal_form"])
         if data["moduli"]:
-            yield "moduli", ", ".join(f"{name} = {value}" for name, value in data["moduli"].items())
+            yield "moduli", ", ".join(_modulus(name, data) for name in data["moduli"])
+        if (field := data["real_field"]) is not None:
+            yield f"  {field['name']}", f"the root near {field['near']:.6g} of {field['polynomial']}"
     if data["codimension"] is not None:
         yield "codimension", str(data["codimension"])
     if data["name"] is not None:
@@ -154,6 +156,11 @@ def rows(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
     if data["unused"]:
         yield "unused variables", " ".join(data["unused"])
     yield from equivalence_rows(data.get("equivalence"))
+
+
+def _modulus(name: str, data: dict[str, Any]) -> str:
+    near = data["estimates"].get(name)
+    return f"{name} = {data['moduli'][name]}" + ("" if near is None else f", about {near:.6g}")
 
 
 def equivalence_rows(told: dict[str, Any] | None) -> Iterator[tuple[str, str]]:
@@ -180,7 +187,7 @@ def scale_text(scale: Any) -> str:
     """
     if isinstance(scale, str):
         return scale
-    powers = "*".join(f"{f'({base})' if '/' in base else base}**({e})" for base, e in scale["powers"])
+    powers = "*".join(f"{base if base.isalnum() else f'({base})'}**({e})" for base, e in scale["powers"])
     factor = scale["factor"]
     return powers if factor == "1" else f"-{powers}" if factor == "-1" else f"{factor}*{powers}"
 

@@ -31,7 +31,7 @@ def even_data(germ: MapGerm, group: Group, unfolding: MapGerm | None = None) -> 
     """
     s, u = germ.even, germ.boundary
     assert s is not None and u is not None
-    (name,) = set(s.source) - set(germ.source)
+    name = next(iter(set(s.source) - set(germ.source)), u)  # λ itself may be called u
     told: dict[str, Any] = {
         "variable": name,
         "components": list(map(to_text, s.components)),

@@ -8,8 +8,10 @@ Plain data (``version`` 1): the germ as in `osculant.germs.report`: ``source``, 
 ``boundary``, ``group``, ``at``, ``even``; ``lists``: those that were looked through; ``name``: of the real
 class, with signs and moduli, ``complex``: of the class over ℂ; ``table`` and ``id``: the row of a list,
 with its ``integers``; ``normal_form``: texts of components in ``variables``; ``signs``: ±1 by the first
-monomial that each governs; ``moduli``: their values as text; ``codimension``: of T G f in Mθ, a number or
-"infinite", null where it is not known; ``determinacy``: the degree to which the row is determined;
+monomial that each governs; ``moduli``: their values as text; ``estimates``: floats near those that are not
+rational; ``real_field``: the ``name`` of a number that stands in them, the ``polynomial`` of which it is a
+root, and a float ``near`` it, null without one; ``codimension``: of T G f in Mθ, a number or "infinite",
+null where it is not known; ``determinacy``: the degree to which the row is determined;
 ``proof``: "equivalence"; "key" for a function of a row to which no equivalence is built (``reason`` tells
 that; ``normal_form``, ``signs`` and ``moduli`` are null then), null without a name; ``key``: parts that
 were computed (`osculant.cas.recognition.keys`), each a list of numbers by the order of jets; ``reason``:
@@ -24,11 +26,15 @@ that was recognised; ``margin``: the smallest singular value ``kept``, the large
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal
 
 from osculant.cas.errors import DomainError
 from osculant.cas.formulas.expression import to_text
 from osculant.cas.formulas.graph import variables
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.algebraic import Algebraic
+from osculant.cas.germs.expansion import as_node
 from osculant.cas.recognition.answer import Recognition
 from osculant.cas.recognition.names import printed, sign_names
 from osculant.germs.even import even_data
@@ -239,6 +245,8 @@ class Recognised:
             "variables": None if form is None else list(form.variables),
             "signs": self.signs if named else None,
             "moduli": {name: str(value) for name, value in self.moduli.items()} if named else None,
+            "estimates": {n: float(v) for n, v in self.moduli.items() if not isinstance(v, Fraction)},
+            "real_field": self._field(),
             "codimension": self.codimension,
             "determinacy": None if form is None else form.order,
             "proof": "equivalence" if named else None if form is None else "key",
@@ -249,6 +257,21 @@ class Recognised:
             "unused": list(self.unused),
             **({"secants": list(self.secants)} if self.table == "table 6.2" else {}),
         }
+
+    def _field(self) -> dict[str, Any] | None:
+        """The real number field in which lines or moduli of the germ are found, where one is needed."""
+        found = self.found.equivalence
+        bases = [getattr(value, "base", None) for value in self.moduli.values()]
+        fields = [base.field for base in bases if isinstance(base, Algebraic)]
+        if found is not None and found.finish is not None:
+            fields = [found.finish.field]
+        if not fields:
+            return None
+        told = fields[0].told()
+        terms = {poly.monomial((i,)): Fraction(c) for i, c in enumerate(told["polynomial"]) if Fraction(c)}
+        low, high = map(Fraction, told["interval"])
+        text = to_text(as_node(terms, (told["name"],)))
+        return {"name": told["name"], "polynomial": text, "near": float((low + high) / 2)}
 
     def equivalence_data(self) -> dict[str, Any] | None:
         """The equivalence as plain data, of jets (`osculant.germs.equivalence_file`); None without one."""

@@ -11,13 +11,26 @@ import osculant as osc
 from osculant.cas.errors import DomainError, FormulaError
 from osculant.cas.germs import polynomials as poly
 from osculant.cas.germs.reference import NAMES, reference
+from osculant.cas.recognition.recognise import recognise
 from osculant.certificates.checker import check
 from osculant.cli.main import main
 from tests.cas.recognition.test_keys import changed
 from tests.cas.recognition.test_recognise import ROWS
 
 GERM_KEYS = {"version", "source", "target", "components", "boundary", "group"}
-ROW_KEYS = {"name", "complex", "table", "id", "integers", "normal_form", "variables", "signs", "moduli"}
+ROW_KEYS = {
+    "name",
+    "complex",
+    "table",
+    "id",
+    "integers",
+    "normal_form",
+    "variables",
+    "signs",
+    "moduli",
+    "estimates",
+    "real_field",
+}
 OTHER_KEYS = {"lists", "codimension", "determinacy", "proof", "key", "reason", "undecided", "alike", "unused"}
 KEYS = GERM_KEYS | ROW_KEYS | OTHER_KEYS
 
@@ -180,3 +193,34 @@ def test_errors_from_python():
         osc.recognise("x + w", "x y")
     with pytest.raises(DomainError, match="needs the boundary variable"):
         osc.recognise("x^2", "x", group="R(H)")
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "over"),
+    [
+        ("x^4 + 5*x^2*y^2 - y^4", "X9+-(5)", "X9(a)"),  # over ℂ a = ±5i
+        ("x^4 + 2*x^2*y^2 - y^4", "X9+-(2)", "X9(a)"),  # degenerate for x^4 + y^4 alone
+        ("x^3 + 2*x^2*y^2 - x*y^4", "J10-(2)", "J10(a)"),
+        ("x^2*y^2 + x^6 - 7*y^6", "Y6,6++(-7)", "Y6,6(-7)"),
+        ("x^2*y^2 - 7*x^6 + y^6", "Y6,6++(-7)", "Y6,6(-7)"),
+        ("x^2*y^2 + 3*x^8 - 2*y^8", "Y8,8++(-6)", "Y8,8(-6)"),
+        ("x^3 - y^8 + 3*x*y^6", "E14-(3)", "E14(a)"),
+    ],
+)
+def test_moduli_are_those_of_the_class(text, name, over):
+    found = osc.recognise(text, "x y")
+    assert (found.name, found.complex) == (name, over)
+    assert recognise(changed(osc.germ(text, "x y").exact, "R", 8, 1), "R").name == name
+
+
+def test_numbers_in_moduli_are_defined():
+    told = osc.recognise("x^4 + x^3*y + x^2*y^2 + x*y^3 + y^4", "x y").told()
+    assert told["estimates"]["a"] == pytest.approx(2 * 5**0.5 - 4, rel=1e-12)
+    field = told["real_field"]
+    assert field["name"] in told["moduli"]["a"]
+    root = field["near"]
+    assert abs(sum(c * root**i for i, c in enumerate((1, 6, 6, 6, 1)))) < 1e-10
+
+
+def test_an_even_variable_may_be_called_u():
+    assert osc.germ("x, x*u^2 + u^4", "x u", even="u").recognise().germ.components == ("x", "x*u + u**2")
