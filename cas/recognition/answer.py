@@ -28,7 +28,7 @@ class Recognition:
         key: what was computed of the germ's key.
         reason: why there is no name, or no equivalence, as a sentence; empty if there is one.
         undecided: whether there may be a name.
-        alike: names of classes with the same key, where no equivalence was found or excluded.
+        alike: names of classes with which an equivalence was neither found nor excluded.
     """
 
     germ: Germ

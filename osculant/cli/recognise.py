@@ -123,7 +123,7 @@ def rows(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
         if data["lists"]:
             yield "lists", ", ".join(data["lists"])
         if data["alike"]:
-            yield "with the same key", ", ".join(data["alike"])
+            yield "not excluded", ", ".join(data["alike"])
     else:
         over = "" if data["complex"] == data["name"] else f", over ℂ {data['complex']}"
         yield "class", data["name"] + over
