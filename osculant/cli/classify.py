@@ -56,9 +56,11 @@ def classify(
     n, p = whole_number(source, "--source"), whole_number(target, "--target")
     bound = whole_number(codimension, "--codimension")
     if tree is not None:
-        if not tree.lower().endswith(".svg"):
+        from osculant.germs.tree_drawing import SUFFIX
+
+        if not tree.lower().endswith(SUFFIX):
             shown = printable(tree) or "a file without a name"
-            raise OsculantError(f"Cannot draw {shown}: its suffix must be .svg.")
+            raise OsculantError(f"Cannot draw {shown}: its suffix must be {SUFFIX}.")
         check_place(tree)
 
     from osculant.germs.classification import classify as classified

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 from xml.sax.saxutils import escape
 
+#: the end of the name of a file with a drawing
+SUFFIX = ".svg"
 #: the height of a line, the indent of a branch, the margin, the width of a letter
 LINE, INDENT, MARGIN, LETTER = 20, 22, 24, 7.3
 #: colours by the kind of a branch
