@@ -119,8 +119,8 @@ MISTAKES = {
     "no command": (["aproximate"], "'aproximate': did you mean approximate"),
     "strange command": (
         ["t, t^2"],
-        "choose one of approximate, cache, check, classify, compile, complexity, germ, invariants, recognise, "
-        "secant, tables, verify",
+        "choose one of approximate, cache, check, classify, compile, complexity, germ, invariants, "
+        "recognise, secant, tables, verify",
     ),
     "option before": (["--verson"], "'--verson': did you mean --version"),
     "unknown option": ([*CUBIC, "--tolerence", "1"], "'--tolerence': did you mean --tolerance"),
