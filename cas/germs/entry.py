@@ -107,6 +107,26 @@ class Entry:
     complex: str = ""
 
     @property
+    def integers(self) -> tuple[Parameter, ...]:
+        """The parameters that are integers."""
+        return tuple(p for p in self.parameters if p.least is not None)
+
+    @property
+    def moduli(self) -> tuple[Parameter, ...]:
+        """The parameters that are moduli."""
+        return tuple(p for p in self.parameters if p.least is None)
+
+    @property
+    def usual(self) -> dict[str, Value]:
+        """The values of the moduli that are tried first.
+
+        >>> from osculant.cas.germs.reference import reference
+        >>> reference("mond")["P_3"].usual
+        {'c': '2'}
+        """
+        return {p.name: p.tried[0] for p in self.moduli}
+
+    @property
     def signs(self) -> tuple[tuple[int, ...], ...]:
         """Every choice of the signs; one empty choice if there are none."""
         return tuple(product((1, -1), repeat=self.text.count("±")))

@@ -13,7 +13,8 @@ from functools import lru_cache
 from itertools import product
 
 from osculant.cas.errors import DomainError, UndecidedError
-from osculant.cas.germs.entry import Entry, Value
+from osculant.cas.germs import polynomials as poly
+from osculant.cas.germs.entry import Entry
 from osculant.cas.germs.germ import Germ
 from osculant.cas.germs.groups import Group, group
 from osculant.cas.germs.reference import reference
@@ -135,7 +136,7 @@ def forms_up_to(entry: Entry, order: int, n: int) -> list[Form] | None:
     >>> len(forms_up_to(listing.entries[0], 4, 2))
     7
     """
-    whole = [p for p in entry.parameters if p.least is not None]
+    whole = entry.integers
     if (order + 3) ** len(whole) > MOST:
         return None
     found = []
@@ -174,14 +175,7 @@ def _degree(text: str) -> int:
     """The degree of the projections: they are determined by it (a test proves that)."""
     jet = Germ(text, "x y").polynomial(20)
     assert jet is not None
-    return max(sum(e) for f in jet for e in _exponents(f))
-
-
-def _exponents(f: dict[int, object]) -> Iterator[tuple[int, ...]]:
-    from osculant.cas.germs.polynomials import exponents_of
-
-    for m in f:
-        yield exponents_of(m, 2)
+    return max(poly.degree_of(m, 2) for f in jet for m in f)
 
 
 def _target(entry: Entry) -> int:
@@ -192,8 +186,7 @@ def _form(entry: Entry, integers: Mapping[str, int], n: int) -> Form | None:
     """The form in n variables; None if it needs more. UndecidedError for one of a degree beyond reach."""
     known = entry.list, entry.id, entry.group, tuple(integers.items()), n
     if known not in _FORMS:
-        moduli: dict[str, Value] = {p.name: p.tried[0] for p in entry.parameters if p.least is None}
-        if (degree := entry.value("determinacy", **integers, **moduli)) > DEGREE:
+        if (degree := entry.value("determinacy", **integers, **entry.usual)) > DEGREE:
             raise UndecidedError(f"{entry.id} of {entry.list} of degree {degree} is out of reach.")
         try:
             found = form(entry, **integers)
@@ -208,13 +201,12 @@ def _form(entry: Entry, integers: Mapping[str, int], n: int) -> Form | None:
 
 def _integers(entry: Entry, name: str, size: int) -> Iterator[dict[str, int]]:
     """The integers of a row for which that value of it is ``size``; the value grows by each integer."""
-    whole = [p for p in entry.parameters if p.least is not None]
-    moduli: dict[str, Value] = {p.name: p.tried[0] for p in entry.parameters if p.least is None}
+    whole = entry.integers
     least = {p.name: int(p.least or 0) for p in whole}
     for steps in _steps(entry, name, size):
         integers = {key: start + step for (key, start), step in zip(least.items(), steps)}
         try:
-            if entry.value(name, **integers, **moduli) == size:
+            if entry.value(name, **integers, **entry.usual) == size:
                 yield integers
         except DomainError:  # out of the range of the row
             continue
@@ -222,12 +214,11 @@ def _integers(entry: Entry, name: str, size: int) -> Iterator[dict[str, int]]:
 
 def _steps(entry: Entry, name: str, size: int) -> Iterator[tuple[int, ...]]:
     """How far the integers may be above the least: the values of rows are linear in them."""
-    whole = [p for p in entry.parameters if p.least is not None]
+    whole = entry.integers
     loose = replace(entry, where=())
-    moduli: dict[str, Value] = {p.name: p.tried[0] for p in entry.parameters if p.least is None}
     least = {p.name: int(p.least or 0) for p in whole}
-    start = loose.value(name, **least, **moduli)
-    slopes = [loose.value(name, **{**least, p.name: least[p.name] + 1}, **moduli) - start for p in whole]
+    start = loose.value(name, **least, **entry.usual)
+    slopes = [loose.value(name, **{**least, p.name: least[p.name] + 1}, **entry.usual) - start for p in whole]
     if start > size:
         return
     if any(slope < 1 for slope in slopes):

@@ -90,7 +90,7 @@ class Form:
     @property
     def moduli(self) -> tuple[str, ...]:
         """The names of the moduli."""
-        return tuple(p.name for p in self.entry.parameters if p.least is None)
+        return tuple(p.name for p in self.entry.moduli)
 
     @cached_property
     def core(self) -> tuple[Term, ...]:
@@ -135,14 +135,13 @@ def form(entry: Entry, **integers: int) -> Form:
     >>> [(t.monomial, t.modulus) for t in found.terms if t.component == 2], found.moduli
     ([((1, 2), None), ((0, 4), 'c')], ('c',))
     """
-    moduli = [p for p in entry.parameters if p.least is None]
-    order = entry.value("determinacy", **integers, **{p.name: p.tried[0] for p in moduli})
+    order = entry.value("determinacy", **integers, **entry.usual)
     names = tuple(BOUNDARY if name == entry.even else name for name in entry.variables)
     boundary = BOUNDARY if entry.even else entry.boundary
     found = _terms(entry, integers)
     return Form(
         entry=entry,
-        integers=tuple((p.name, int(integers[p.name])) for p in entry.parameters if p.least is not None),
+        integers=tuple((p.name, int(integers[p.name])) for p in entry.integers),
         group=groups.group(entry.group),
         variables=names,
         p=len(entry.text.split(",")),
@@ -204,12 +203,12 @@ def widened(found: Form, p: int) -> Form:
 
 def _terms(entry: Entry, integers: Mapping[str, int]) -> tuple[Term, ...]:
     """The terms of the text: its signs and moduli are read as variables."""
-    moduli = [p.name for p in entry.parameters if p.least is None]
+    moduli = [p.name for p in entry.moduli]
     count = entry.text.count("±")
     signs = [f"sign_{i}" for i in range(count)]
     parts = entry.text.split("±")
     text = parts[0] + "".join(f"+{sign}*{part.lstrip()}" for sign, part in zip(signs, parts[1:]))
-    texts = {p.name: f"({integers[p.name]})" for p in entry.parameters if p.least is not None}
+    texts = {p.name: f"({integers[p.name]})" for p in entry.integers}
     n, names = len(entry.variables), (*entry.variables, *signs, *moduli)
     germ = Germ(instance(text, None, texts), names, names[0])
     jet = germ.polynomial(DEGREE)

@@ -44,17 +44,6 @@ def members(form: Form) -> Iterator[Germ]:
 _MEMBERS: dict[Form, list[Germ]] = {}
 
 
-def tried(form: Form) -> dict[str, Any]:
-    """Values of the moduli that the list tries first.
-
-    >>> from osculant.cas.germs.reference import reference
-    >>> from osculant.cas.recognition.forms import form
-    >>> tried(form(reference("mond")["P_3"]))
-    {'c': '2'}
-    """
-    return {p.name: p.tried[0] for p in form.entry.parameters if p.least is None}
-
-
 def _tried(form: Form) -> Iterator[dict[str, Any]]:
     """Values of the moduli: general ones, and those that the list tries."""
     if not form.moduli:
@@ -62,7 +51,7 @@ def _tried(form: Form) -> Iterator[dict[str, Any]]:
         return
     for shift in range(len(GENERAL)):
         yield {name: GENERAL[(shift + i) % len(GENERAL)] for i, name in enumerate(form.moduli)}
-    given = {p.name: p.tried for p in form.entry.parameters if p.least is None}
+    given = {p.name: p.tried for p in form.entry.moduli}
     for i in range(max(map(len, given.values()))):
         yield {name: Fraction(values[i % len(values)]) for name, values in given.items()}
 

@@ -27,7 +27,7 @@ from osculant.cas.recognition.catalogue import catalogue, forms_up_to
 from osculant.cas.recognition.equivalence import Equivalence, NotEquivalent, equivalence
 from osculant.cas.recognition.forms import Form
 from osculant.cas.recognition.keys import Key, part, parts, version_of
-from osculant.cas.recognition.members import arranged, members, special_members, tried
+from osculant.cas.recognition.members import arranged, members, special_members
 from osculant.cas.recognition.names import called
 
 #: orders of jets, and their columns, in which keys are compared at most
@@ -232,7 +232,7 @@ class _Question:
                     return False
                 for form in rows:
                     if special_members(form):
-                        if mine[-1] <= entry.value(listing.size, **dict(form.integers), **tried(form)):
+                        if mine[-1] <= entry.value(listing.size, **dict(form.integers), **form.entry.usual):
                             return False
                     elif any(part(m, self.group, "orbit", order) == mine for m in members(form)):
                         return False

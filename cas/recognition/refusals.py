@@ -36,7 +36,7 @@ def proves(form: Form) -> bool:
 
 def reaches_itself(form: Form) -> bool:
     """Whether the reduction of a member of a form finds all its terms."""
-    moduli = {p.name: Fraction(p.tried[0]) for p in form.entry.parameters if p.least is None}
+    moduli = {name: Fraction(value) for name, value in form.entry.usual.items()}
     values = ((t.column, t.coefficient * moduli.get(t.modulus or "", 1)) for t in form.core)
     start = jet_of(((c, fmpq(v.numerator, v.denominator)) for c, v in values), form.n, form.p, form.order)
     for begun in starts(unmoved(start, form.group), form):

@@ -21,7 +21,7 @@ def secant_rows(p: int) -> dict[str, tuple[str, ...]]:
         if entry.text.count(",") + 1 != p:
             continue
         for signs, values in entry.tried():
-            moduli = any(q.least is None for q in entry.parameters)
+            moduli = bool(entry.moduli)
             row = re.sub(r"[{}]", "", entry.name) if moduli else entry.called(signs, **values)
             name = recognise(entry.germ(signs, **values), "A(H)").name
             rows = found.setdefault(str(name), [])

@@ -35,8 +35,8 @@ def listed(name: str) -> dict[str, Any]:
                 "variables": list(entry.variables),
                 "boundary": entry.even or entry.boundary,
                 "group": entry.group,
-                "integers": {p.name: p.least for p in entry.parameters if p.least is not None},
-                "moduli": [p.name for p in entry.parameters if p.least is None],
+                "integers": {p.name: p.least for p in entry.integers},
+                "moduli": [p.name for p in entry.moduli],
                 "codimension": entry.values.get("cod"),
                 "determinacy": entry.values.get("determinacy"),
             }
