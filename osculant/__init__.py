@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from osculant.germs.map_germ import MapGerm, germ
     from osculant.germs.map_jets import JetOfMap, map_jet
     from osculant.germs.multi import MultiMapGerm, multigerm
-    from osculant.germs.recognition import Recognised, recognise
+    from osculant.germs.recognise import recognise
+    from osculant.germs.recognition import Recognised
     from osculant.germs.secants import Secant, SecantApart, secant, secant_apart
     from osculant.pieces.conics import Piece
     from osculant.spline import Spline
@@ -103,7 +104,7 @@ _HOME = {
     "MultiMapGerm": "osculant.germs.multi",
     "multigerm": "osculant.germs.multi",
     "map_jet": "osculant.germs.map_jets",
-    "recognise": "osculant.germs.recognition",
+    "recognise": "osculant.germs.recognise",
     "Recognised": "osculant.germs.recognition",
     "JetOfMap": "osculant.germs.map_jets",
     "secant": "osculant.germs.secants",

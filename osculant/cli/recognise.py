@@ -84,12 +84,12 @@ def recognise(
     if source is None:
         raise UsageError('The source variables are missing: give their names, such as --source "x y".')
 
-    from osculant.germs import recognition
+    from osculant.germs.recognise import recognise as recognised
 
     seconds = number(patience, "--patience")
     width = None if tolerance is None else number(tolerance, "--tolerance")
     with Waiting("recognising"):
-        found = recognition.recognise(
+        found = recognised(
             formulas_of(formula),
             source,
             boundary,
@@ -112,7 +112,7 @@ def recognise(
 def rows(data: dict[str, Any]) -> Iterator[tuple[str, str]]:
     """The rows in which the answer is told to people, from `Recognised.told`.
 
-    >>> from osculant.germs.recognition import recognise as asked
+    >>> from osculant.germs.recognise import recognise as asked
     >>> found = dict(rows(asked("x, y^2, y^3 - x^2*y", "x y").told()))
     >>> found["class"], found["normal form"], found["codimension"]
     ('S1-, over ℂ S1', 'x, y**2, y**3 - x**2*y', '3')

@@ -38,49 +38,11 @@ from osculant.cas.germs.expansion import as_node
 from osculant.cas.recognition.answer import Recognition
 from osculant.cas.recognition.names import printed, sign_names
 from osculant.germs.even import even_data
-from osculant.germs.map_germ import GroupName, MapGerm, germ
 
 if TYPE_CHECKING:
     from osculant.cas.recognition.equivalence import Equivalence
+    from osculant.germs.map_germ import GroupName, MapGerm
     from osculant.germs.rounded import Margin
-
-
-def recognise(
-    formulas: Any,
-    source: Any,
-    boundary: Any = None,
-    *,
-    group: GroupName = None,
-    tolerance: float | None = None,
-    **options: Any,
-) -> Recognised:
-    """The class of a germ in the lists of the literature.
-
-    Args:
-        formulas: the components, as for `osculant.germ`.
-        source: the source variables in order.
-        boundary: the variable u of H = {u = 0}, if there is one; by default the variable called ``u``.
-        group: of the equivalences; by default A, for a function R, with (H) if there is a boundary variable.
-        tolerance: to which coefficients that are not integers are known. Then the germ nearby with the
-            simplest fractions is recognised, and ranks must be the same for all germs within the tolerance,
-            with a margin (`osculant.germs.rounded`); else it is undecided.
-        **options: ``at``, ``patience``, ``root`` and ``even`` of `osculant.germ`.
-
-    Errors are those of `osculant.germ`; DomainError too for a group that does not exist, and for an (H) group
-    without a boundary variable. What is not decided in time is told to be undecided.
-
-    >>> found = recognise("x, y^2 + x*y, y^3 - 2*x^2*y + x^4", "x y")
-    >>> found.name, found.complex, found.table, found.codimension
-    ('S1-', 'S1', 'mond', 3)
-    >>> recognise("x1, x2, x3^2 + x1*u + x2*u^2 - u^3", "x1 x2 x3 u").name
-    '3g-'
-    >>> found = recognise("x, y^3", "x y")
-    >>> found.name, found.undecided, found.codimension
-    (None, False, 'infinite')
-    >>> recognise("0.3333333333*x^3 + 0.7142857143*x*y^2", "x y", tolerance=1e-8).name
-    'D4+'
-    """
-    return germ(formulas, source, boundary, **options).recognise(group, tolerance)
 
 
 def recognised(germ: MapGerm, group: GroupName = None, tolerance: float | None = None) -> Recognised:
@@ -177,6 +139,7 @@ class Recognised:
     def normal_form(self) -> tuple[str, ...]:
         """The components of the normal form, in the variables of the list; none without a name.
 
+        >>> from osculant.germs.recognise import recognise
         >>> recognise("x^3 + x*y^2 + x^5", "x y").normal_form
         ('x**2*y + y**3',)
         """
@@ -194,6 +157,7 @@ class Recognised:
     def secants(self) -> tuple[str, ...]:
         """The rows of table 6.1 whose secant germs have this class of table 6.2.
 
+        >>> from osculant.germs.recognise import recognise
         >>> recognise("x1, x2, x3*u + x1*x3 + x2*x3^2 + x3^3", "x1 x2 x3 u").secants
         ('4-8+', '4-P3(c)')
         """
@@ -212,6 +176,7 @@ class Recognised:
     def told(self) -> dict[str, Any]:
         """All of it as plain data (module text).
 
+        >>> from osculant.germs.recognise import recognise
         >>> found = recognise("x^3 + y^2", "x y").told()
         >>> found["name"], found["normal_form"], found["signs"], found["proof"]
         ('A2', ['x**3 + y**2'], {'x**3': 1, 'y**2': 1}, 'equivalence')
@@ -286,6 +251,7 @@ class Recognised:
         Raises DomainError where there is no equivalence.
 
         >>> from osculant.certificates.checker import check
+        >>> from osculant.germs.recognise import recognise
         >>> len(check(recognise("x, x*y + y^4 + x^3", "x y").certificate())) > 1
         True
         """
